@@ -1,0 +1,27 @@
+# raylab_flags: what every target of the project is compiled with.
+#
+# Bits are a feature: contraction is off and fast-math never on, so that g++ and clang, one thread
+# or many, give the same image (docs/architecture.md, numeric policy).
+add_library(raylab_flags INTERFACE)
+target_include_directories(raylab_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(raylab_flags INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Werror;-ffp-contract=off;-fno-math-errno>)
+# Release keeps its checks: assert() stays on, O3 lets the compiler vectorise the intersection loops.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+
+if(RAYLAB_SANITIZE STREQUAL "address")
+    target_compile_options(raylab_flags INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer;-g>)
+    target_link_options(raylab_flags INTERFACE -fsanitize=address,undefined)
+elseif(RAYLAB_SANITIZE STREQUAL "thread")
+    target_compile_options(raylab_flags INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=thread;-fno-omit-frame-pointer;-g>)
+    target_link_options(raylab_flags INTERFACE -fsanitize=thread)
+elseif(NOT RAYLAB_SANITIZE STREQUAL "")
+    message(FATAL_ERROR "RAYLAB_SANITIZE is '${RAYLAB_SANITIZE}': expected empty, address or thread")
+endif()
+
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+target_link_libraries(raylab_flags INTERFACE Threads::Threads glm::glm)

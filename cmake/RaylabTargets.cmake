@@ -1,0 +1,45 @@
+# The few helpers that the folders' CMakeLists.txt use.
+
+# Adds every folder below the given ones that has a CMakeLists.txt: first the direct children, in
+# alphabetical order, except that common/simt comes first because it defines raylab_kernel_sources.
+function(raylab_add_folders)
+    if(EXISTS ${CMAKE_SOURCE_DIR}/common/simt/CMakeLists.txt)
+        add_subdirectory(common/simt)
+    endif()
+    foreach(folder IN LISTS ARGN)
+        file(GLOB lists CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt
+             ${CMAKE_SOURCE_DIR}/${folder}/*/CMakeLists.txt)
+        foreach(list IN LISTS lists)
+            get_filename_component(dir ${list} DIRECTORY)
+            file(RELATIVE_PATH dir ${CMAKE_SOURCE_DIR} ${dir})
+            if(NOT dir STREQUAL "common/simt")
+                add_subdirectory(${dir})
+            endif()
+        endforeach()
+    endforeach()
+endfunction()
+
+# raylab_library(<name> SOURCES ... LIBS ...): a static library of the project.
+function(raylab_library name)
+    cmake_parse_arguments(arg "" "" "SOURCES;LIBS" ${ARGN})
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_link_libraries(${name} PUBLIC raylab_flags ${arg_LIBS})
+endfunction()
+
+# raylab_test(<name> SOURCES ... LIBS ... [LABELS ...] [OPTIONS ...]): a GoogleTest program, one ctest entry.
+# OPTIONS are extra compiler flags, for tests that must hold in other builds (contraction, native).
+function(raylab_test name)
+    if(NOT RAYLAB_TESTS)
+        return()
+    endif()
+    cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LIBS;LABELS;OPTIONS" ${ARGN})
+    find_package(GTest REQUIRED)
+    add_executable(${name} ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE raylab_flags ${arg_LIBS} GTest::gtest GTest::gtest_main)
+    target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+    add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    if(NOT arg_TIMEOUT)
+        set(arg_TIMEOUT 300)
+    endif()
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} SKIP_RETURN_CODE 77)
+endfunction()
