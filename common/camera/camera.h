@@ -1,0 +1,35 @@
+// The camera: a pinhole, or a thin lens when lens_radius > 0.
+// PBR4e 5.2 (Projective Camera Models), 5.2.3 (The Thin Lens Model).
+#pragma once
+
+#include "common/geometry/ray.h"
+#include "common/sampling/warp.h"
+
+namespace raylab {
+
+struct Camera {
+    Vec3 position;
+    Vec3 right, up, forward; // orthonormal; right = cross(forward, up)
+    float half_width;        // tan of half the horizontal field of view
+    float half_height;       // tan of half the vertical field of view
+    float lens_radius;       // world units, 0: pinhole
+    float focus_distance;    // world units, along forward, to the plane that is sharp
+    int width, height;       // film, pixels
+};
+
+// The ray through pixel (x, y), (0, 0) at the top left. u_film: position within the pixel, in [0,1)^2
+// (jittered anti-aliasing, box filter). u_lens: position on the lens, in [0,1)^2.
+HD Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens) {
+    const float sx = (2 * (x + u_film.x) / camera.width - 1) * camera.half_width;
+    const float sy = (1 - 2 * (y + u_film.y) / camera.height) * camera.half_height;
+    const Vec3 d = camera.forward + sx * camera.right + sy * camera.up; // forward component 1
+    if (camera.lens_radius == 0) return {camera.position, normalize(d)};
+
+    // Every ray through the lens meets the same point of the plane in focus.
+    const Vec3 focus = camera.position + camera.focus_distance * d;
+    const Vec2 lens = camera.lens_radius * sample_disk(u_lens);
+    const Vec3 o = camera.position + lens.x * camera.right + lens.y * camera.up;
+    return {o, normalize(focus - o)};
+}
+
+} // namespace raylab

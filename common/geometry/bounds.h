@@ -1,0 +1,54 @@
+// Axis-aligned boxes and the slab test that loses no ray.
+// Williams et al., An Efficient and Robust Ray-Box Intersection Algorithm, 2005;
+// Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013.
+#pragma once
+
+#include "common/geometry/ray.h"
+
+namespace raylab {
+
+struct Bounds {
+    Vec3 low = Vec3(infinity);
+    Vec3 high = Vec3(-infinity);
+
+    HD void include(Vec3 p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    HD void include(const Bounds& b) {
+        low = glm::min(low, b.low);
+        high = glm::max(high, b.high);
+    }
+};
+
+// A ray prepared for slab tests: 1/d, and which face of a box is the near one on each axis.
+struct SlabRay {
+    Vec3 o;
+    Vec3 inv_d;
+    bool negative[3];
+
+    HD explicit SlabRay(const Ray& ray)
+        : o(ray.o), inv_d(1.0f / ray.d.x, 1.0f / ray.d.y, 1.0f / ray.d.z),
+          negative{signbit(inv_d.x) != 0, signbit(inv_d.y) != 0, signbit(inv_d.z) != 0} {}
+};
+
+// Does the ray cross the box somewhere in [0, t_max]? May say yes to a near miss, never no to a hit.
+//
+// Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in a
+// face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as
+// it was. The far value is widened by 2 gamma(3), the rounding error of (face - o) * inv_d.
+HD bool crosses(const Bounds& box, const SlabRay& ray, float t_max) {
+    float t_near = 0, t_far = t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool negative = ray.negative[axis];
+        const float o = (&ray.o.x)[axis], inv_d = (&ray.inv_d.x)[axis];
+        const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
+        const float near_t = ((negative ? high : low) - o) * inv_d;
+        const float far_t = ((negative ? low : high) - o) * inv_d * (1 + 2 * gamma_bound(3));
+        if (near_t > t_near) t_near = near_t;
+        if (far_t < t_far) t_far = far_t;
+    }
+    return t_near <= t_far;
+}
+
+} // namespace raylab

@@ -1,0 +1,61 @@
+// The shapes as they lie in device memory: flat arrays of plain structs, in world space.
+//
+// A box of a scene file becomes six quads that share their corners' bits, a transform is applied at
+// load time. What a kernel tests is one of four: sphere, quad, plane, triangle.
+#pragma once
+
+#include "common/geometry/bounds.h"
+
+namespace raylab {
+
+// What every shape carries besides its geometry.
+struct ShapeTags {
+    int id;       // position in the scene's file order, meshes expanded; unique over all shapes
+    int material; // index into SceneView::materials
+    int light;    // index into SceneView::lights, or -1 if the shape does not emit
+};
+
+struct Sphere {
+    Vec3 center;
+    float radius; // > 0
+    ShapeTags tags;
+};
+
+// A planar convex quadrilateral v[0] v[1] v[2] v[3] in order around its edge; the unit normal is that
+// of cross(v[1] - v[0], v[3] - v[0]), computed in double at load time. Neighbours that share an edge
+// share its corners' bits, which makes a closed room watertight.
+struct Quad {
+    Vec3 v[4];
+    Vec3 normal;
+    ShapeTags tags;
+};
+
+// The infinite plane { p : dot(normal, p - point) = 0 }: a ground, instead of a giant sphere.
+struct Plane {
+    Vec3 point;
+    Vec3 normal; // unit
+    ShapeTags tags;
+};
+
+// One triangle of a mesh, or a loose one. Geometric normal: cross(v[1] - v[0], v[2] - v[0]), unit.
+struct Triangle {
+    Vec3 v[3];
+    Vec3 normal;
+    int corners; // index into SceneView::corners, or -1: flat shading, no texture coordinates
+    ShapeTags tags;
+};
+
+// Shading data at a triangle's three corners, apart from what the intersection loop reads.
+struct TriangleCorners {
+    Vec3 normal[3]; // unit shading normals
+    Vec2 uv[3];     // texture coordinates, v up
+};
+
+// Up to 16 triangles that lie together in the array, with the box around them: labs 01 to 03 skip a
+// run whose box the ray misses; a hierarchy over them is lab 04.
+struct TriangleRun {
+    Bounds bounds;
+    int first, count;
+};
+
+} // namespace raylab

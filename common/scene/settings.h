@@ -1,0 +1,27 @@
+// How to render: the `render` block of a scene file, with the command line's changes applied.
+#pragma once
+
+#include <cstdint>
+
+namespace raylab {
+
+enum class Integrator : int { whitted, path };
+enum class SamplerKind : int { sobol, independent };
+
+// How direct light is found: by sampling lights, by letting BSDF samples hit them, or by both with
+// multiple importance sampling. All three have the same mean.
+enum class DirectLight : int { mis, light, bsdf };
+
+struct RenderSettings {
+    Integrator integrator = Integrator::path;
+    // Surfaces a path may touch: with max_depth 1 only what the camera sees glows. In [1, 10000];
+    // whitted at most 24, since each glass hit doubles its rays.
+    int max_depth = 8;
+    int spp = 64;              // samples a pixel
+    std::uint32_t seed = 1;
+    SamplerKind sampler = SamplerKind::sobol;
+    DirectLight direct_light = DirectLight::mis;
+    bool roulette = true;      // Russian roulette from the fourth surface on
+};
+
+} // namespace raylab

@@ -1,0 +1,56 @@
+// SceneView: the scene as a kernel sees it. Flat arrays of plain structs, the same bytes on the CPU
+// machine and on the GPU; Scene (scene.h) owns them on the host, DeviceScene on the device.
+#pragma once
+
+#include "common/camera/camera.h"
+#include "common/geometry/shapes.h"
+#include "common/light/light.h"
+#include "common/material/material.h"
+
+namespace raylab {
+
+// A read-only array in the memory of the machine that runs the kernel.
+template <class T> struct Array {
+    const T* data = nullptr;
+    int size = 0;
+
+    HD const T& operator[](int i) const { return data[i]; }
+};
+
+// An image in SceneView::texels, row 0 at the bottom (v = 0), linear RGB.
+struct Texture {
+    int first; // index of its first texel
+    int width, height;
+};
+
+// Light from infinitely far away. Directions map to the unit square by latitude and longitude:
+// u = atan2(z, x) / 2 pi (wrapped to [0, 1)), v = acos(y) / pi; row 0 of the map is the top (y = 1).
+// With no map the environment is constant.
+struct Environment {
+    Vec3 radiance = Vec3(0); // constant radiance, or the factor on the map
+    int light = -1;          // index into SceneView::lights, or -1: no environment
+    int width = 0, height = 0;
+    // Over the map's texels, to sample them in proportion to luminance * sin(theta):
+    Array<Vec3> map;          // width * height radiances, row by row
+    Array<float> row_cdf;     // height + 1: P(row < i)
+    Array<float> column_cdf;  // height * (width + 1): P(column < j | row)
+};
+
+struct SceneView {
+    Camera camera;
+    Array<Sphere> spheres;
+    Array<Quad> quads;
+    Array<Plane> planes;
+    Array<Triangle> triangles;
+    Array<TriangleRun> runs;
+    Array<TriangleCorners> corners;
+    Array<Material> materials;
+    Array<Light> lights;
+    Array<Texture> textures;
+    Array<Vec3> texels;
+    Environment environment;
+};
+
+static_assert(std::is_trivially_copyable_v<SceneView>);
+
+} // namespace raylab
