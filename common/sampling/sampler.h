@@ -45,4 +45,10 @@ HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t 
     return dimension::first_bounce + dimension::per_bounce * bounce + decision;
 }
 
+// Whitted's tracer sends a feeler to every light from every node of its ray tree.
+HD std::uint32_t feeler_dimension(std::uint32_t node, int light) {
+    return hash_combine(bounce_dimension(node, dimension::light_point),
+                        static_cast<std::uint32_t>(light));
+}
+
 } // namespace raylab

@@ -1,0 +1,52 @@
+// The film: what each pixel has collected so far.
+//
+// Sums are double: 2e7 heavy-tailed float additions lose 5 % even as a running mean, double loses
+// nothing that a float image shows. One thread owns one pixel, so no sum depends on an order.
+#pragma once
+
+#include "common/image/image.h"
+#include "common/math/numbers.h"
+#include "common/math/vec.h"
+
+#include <vector>
+
+namespace raylab {
+
+struct FilmPixel {
+    double sum[3];         // of radiance, per channel
+    double sum_squares[3]; // of radiance squared
+    unsigned samples;      // how many radiances the sums hold
+    unsigned rejected;     // samples that were NaN or infinite: counted, kept out, and graded as a bug
+};
+
+// Adds one sample's radiance to its pixel.
+HD void add_sample(FilmPixel& pixel, Vec3 radiance) {
+    if (!is_finite(radiance)) {
+        ++pixel.rejected;
+        return;
+    }
+    const double rgb[3] = {radiance.x, radiance.y, radiance.z};
+    for (int c = 0; c < 3; ++c) {
+        pixel.sum[c] += rgb[c];
+        pixel.sum_squares[c] += rgb[c] * rgb[c];
+    }
+    ++pixel.samples;
+}
+
+struct Film {
+    int width = 0, height = 0;
+    std::vector<FilmPixel> pixels; // row by row, top row first
+
+    Film() = default;
+    Film(int film_width, int film_height)
+        : width(film_width), height(film_height),
+          pixels(static_cast<std::size_t>(film_width) * film_height, FilmPixel{}) {}
+};
+
+// Mean and variance of the mean of every pixel:
+//     mean = S / n,   var = (SS / n - mean^2) / (n - 1).
+// The variance takes the samples as independent, so for Sobol samples it is an upper estimate.
+// A pixel without samples is black with infinite variance.
+Image develop(const Film& film);
+
+} // namespace raylab

@@ -1,0 +1,69 @@
+#include "common/film/ledger.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raylab {
+
+namespace {
+constexpr const char* end_names[path_ends] = {"escaped", "absorbed", "roulette", "depth"};
+}
+
+std::uint64_t Ledger::rays() const {
+    std::uint64_t sum = shadow_rays;
+    for (const BounceCounts& bounce : bounces) sum += bounce.rays;
+    return sum;
+}
+
+double lanes_alive(const BounceCounts& bounce) {
+    return bounce.lanes == 0 ? 1.0 : static_cast<double>(bounce.rays) / static_cast<double>(bounce.lanes);
+}
+
+std::string to_json(const Ledger& ledger) {
+    nlohmann::ordered_json json = {
+        {"lab", ledger.lab},
+        {"scene", ledger.scene},
+        {"scene_hash", ledger.scene_hash},
+        {"features", ledger.features},
+        {"machine", ledger.machine},
+        {"width", ledger.width},
+        {"height", ledger.height},
+        {"samples", ledger.samples},
+        {"seconds", ledger.seconds},
+        {"rays", ledger.rays()},
+        {"shadow_rays", ledger.shadow_rays},
+        {"non_finite_samples", ledger.rejected},
+        {"threads_launched", ledger.threads_launched},
+    };
+    json["bounces"] = nlohmann::ordered_json::array();
+    for (const BounceCounts& bounce : ledger.bounces) {
+        nlohmann::ordered_json row = {{"rays", bounce.rays}};
+        std::uint64_t ended = 0;
+        for (int i = 0; i < path_ends; ++i) {
+            row[end_names[i]] = bounce.ended[i];
+            ended += bounce.ended[i];
+        }
+        row["out"] = bounce.rays - ended;
+        row["lanes"] = bounce.lanes;
+        row["lanes_alive"] = lanes_alive(bounce);
+        json["bounces"].push_back(row);
+    }
+    return json.dump(2);
+}
+
+std::string to_table(const Ledger& ledger) {
+    std::string table = fmt::format("{:>6} {:>12} {:>10} {:>10} {:>10} {:>10}  {}\n", "bounce", "rays",
+                                    "escaped", "absorbed", "roulette", "depth", "lanes alive");
+    for (std::size_t b = 0; b < ledger.bounces.size() && ledger.bounces[b].rays > 0; ++b) {
+        const BounceCounts& bounce = ledger.bounces[b];
+        const double alive = lanes_alive(bounce);
+        table += fmt::format("{:>6} {:>12} {:>10} {:>10} {:>10} {:>10}  ", b, bounce.rays,
+                             bounce.ended[0], bounce.ended[1], bounce.ended[2], bounce.ended[3]);
+        table += bounce.lanes == 0 ? std::string("-\n")
+                                   : fmt::format("{:5.1f} % {}\n", 100 * alive,
+                                                 std::string(static_cast<std::size_t>(alive * 30), '#'));
+    }
+    return table;
+}
+
+} // namespace raylab

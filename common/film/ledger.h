@@ -1,0 +1,56 @@
+// The ledger: what a render did, bounce by bounce. Viewer, bench, grader and tests read this one
+// account; nobody counts twice.
+#pragma once
+
+#include "common/math/hd.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+// Why a path ended.
+enum class PathEnd : int {
+    escaped,  // left the scene
+    absorbed, // the surface scatters nothing further
+    roulette, // Russian roulette
+    depth,    // touched max_depth surfaces
+};
+constexpr int path_ends = 4;
+
+// One path of one sample, as its thread leaves it: 8 bytes a pixel.
+struct PathRecord {
+    std::uint16_t length;      // turns of the loop: surfaces touched, and the escape if it escaped
+    std::uint16_t shadow_rays; // feelers sent, at most 65535
+    PathEnd end;
+};
+
+struct BounceCounts {
+    std::uint64_t rays = 0;             // paths alive when the bounce began
+    std::uint64_t ended[path_ends] = {}; // of those, how many ended here, by cause
+    std::uint64_t lanes = 0; // lanes that a GPU holds for them: 32 for each warp with a path alive
+};
+
+struct Ledger {
+    std::string lab, scene, scene_hash, features, machine;
+    int width = 0, height = 0, samples = 0; // samples: per pixel
+    std::vector<BounceCounts> bounces;
+    std::uint64_t shadow_rays = 0;
+    std::uint64_t rejected = 0;        // samples that were not finite
+    std::uint64_t threads_launched = 0; // over all launches
+    double seconds = 0;                // tracing alone
+
+    std::uint64_t rays() const; // camera and scattered rays + shadow rays
+};
+
+// The share of lanes at work in bounce b, the complement of the lecture's wasted cycles. 1 if b has
+// no lanes.
+double lanes_alive(const BounceCounts& bounce);
+
+std::string to_json(const Ledger& ledger);
+
+// A table for people: one row a bounce.
+std::string to_table(const Ledger& ledger);
+
+} // namespace raylab

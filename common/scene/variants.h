@@ -1,0 +1,29 @@
+// The closed set of kernel variants: a scene runs in the first that covers its features.
+//
+// More variants would make each a little faster and every build slower; the bench tells what
+// generality costs.
+#pragma once
+
+#include "common/scene/features.h"
+
+namespace raylab {
+
+namespace variant {
+// A diffuse Cornell box: quads under an area light.
+constexpr Features matte = feature::quad | feature::diffuse | feature::area_light;
+// The classic spheres: mirror and glass, point and area lights.
+constexpr Features classic = matte | feature::sphere | feature::plane | feature::mirror |
+                             feature::glass | feature::point_light;
+constexpr Features everything = feature::all;
+} // namespace variant
+
+constexpr bool covers(Features kernel, Features scene) { return (scene & ~kernel) == 0; }
+
+// Calls f.template operator()<F>() with the smallest variant F that covers the scene's features.
+template <class Function> decltype(auto) with_variant(Features scene, Function&& f) {
+    if (covers(variant::matte, scene)) return f.template operator()<variant::matte>();
+    if (covers(variant::classic, scene)) return f.template operator()<variant::classic>();
+    return f.template operator()<variant::everything>();
+}
+
+} // namespace raylab

@@ -1,0 +1,103 @@
+// Light that arrives at a surface straight from a light source, and how it shares the work with BSDF
+// samples that hit a source by chance. PBR4e 13.4 (A Better Path Tracer); Veach 1997, chapter 9.
+//
+//   L_direct = integral of f(wo, wi) Le(p', -wi) V(p, p') |cos| dwi
+// is estimated twice, by sampling lights (density p_l) and by sampling the BSDF (density p_b); the
+// power heuristic weights the two so that their sum is unbiased and each is trusted where it is good.
+#pragma once
+
+#include "common/film/ledger.h"
+#include "common/geometry/intersect.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/surface.h"
+#include "common/light/sample_light.h"
+#include "common/material/bsdf.h"
+#include "common/sampling/mis.h"
+#include "common/sampling/sampler.h"
+
+namespace raylab {
+
+// The density of a direction that no light sample could have found: the camera's, a mirror's.
+constexpr float delta_pdf = infinity;
+
+// Weight of emission that a ray met, whose direction had density bsdf_pdf, where light sampling
+// would have chosen that direction with density light_pdf. The heuristic gives 1 to delta_pdf.
+HD float emission_weight(DirectLight strategy, float bsdf_pdf, float light_pdf) {
+    if (strategy == DirectLight::bsdf || bsdf_pdf == delta_pdf) return 1;
+    if (strategy == DirectLight::light) return 0;
+    return power_heuristic(bsdf_pdf, light_pdf);
+}
+
+// Le of the surface that `ray` hit, weighted. Black for surfaces that do not emit.
+template <Features F>
+HD Vec3 emitted_light(const SceneView& scene, DirectLight strategy, const Ray& ray, float bsdf_pdf,
+                      const SurfacePoint& surface) {
+    if (surface.light < 0) return Vec3(0);
+    const Vec3 emission = scene.materials[surface.material].emission;
+    if (bsdf_pdf == delta_pdf) return emission;
+    const float pdf = light_pdf<F>(scene, surface.light, ray.o, ray.d, surface.p, surface.ng);
+    return emission * emission_weight(strategy, bsdf_pdf, pdf / scene.lights.size);
+}
+
+// Radiance of the environment along a ray that left the scene, weighted.
+template <Features F>
+HD Vec3 escaped_light(const SceneView& scene, DirectLight strategy, const Ray& ray, float bsdf_pdf) {
+    if constexpr ((F & (feature::environment | feature::environment_map)) == 0) return Vec3(0);
+    if (scene.environment.light < 0) return Vec3(0);
+    const Vec3 emission = environment_radiance<F>(scene, ray.d);
+    if (bsdf_pdf == delta_pdf) return emission;
+    const float pdf = light_pdf<F>(scene, scene.environment.light, ray.o, ray.d, Vec3(0), Vec3(0));
+    return emission * emission_weight(strategy, bsdf_pdf, pdf / scene.lights.size);
+}
+
+// A shading normal tilts the hemisphere: a direction above it may lie below the true surface, where
+// light would leak through. Such directions carry nothing.
+HD bool sides_agree(const SurfacePoint& surface, Vec3 w) {
+    return dot(w, surface.ng) * dot(w, surface.shading.z) > 0;
+}
+
+// Light from one given light to the surface, by one shadow feeler: f(wo, wi) |cos| L / p_l, times
+// the weight against BSDF sampling. p_choice: the probability that this light was chosen.
+template <Features F>
+HD Vec3 light_from(const SceneView& scene, DirectLight strategy, int light, float p_choice,
+                   const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u,
+                   PathRecord& record) {
+    const LightSample sample = sample_light<F>(scene, light, surface.p, u);
+    if (!sample.valid || !sides_agree(surface, sample.wi)) return Vec3(0);
+    if (strategy == DirectLight::bsdf && !sample.delta) return Vec3(0);
+
+    const BsdfValue bsdf =
+        evaluate_bsdf<F>(scene.materials[surface.material], reflectance,
+                         surface.shading.to_local(wo), surface.shading.to_local(sample.wi));
+    if (is_black(bsdf.f_cos)) return Vec3(0);
+
+    const Ray feeler = sample.distance == infinity
+                           ? spawn_ray(surface, sample.wi)
+                           : spawn_ray_to(surface, sample.p, sample.error, sample.n);
+    record.shadow_rays += record.shadow_rays < 65535;
+    if (occluded<F>(scene, feeler)) return Vec3(0);
+
+    const float pdf = p_choice * sample.pdf;
+    const bool alone = sample.delta || strategy == DirectLight::light;
+    const float weight = alone ? 1.0f : power_heuristic(pdf, bsdf.pdf);
+    return bsdf.f_cos * sample.radiance * (weight / pdf);
+}
+
+// Light from one light chosen at random, all with the same probability.
+template <Features F>
+HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
+                     Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce,
+                     PathRecord& record) {
+    const int lights = scene.lights.size;
+    if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return Vec3(0);
+    int light = 0;
+    if (lights > 1) {
+        const float u = sampler.get_1d(bounce_dimension(bounce, dimension::light_choice));
+        light = static_cast<int>(u * lights);
+        if (light == lights) light = lights - 1; // u * lights may round up
+    }
+    const Vec2 u = sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
+    return light_from<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u, record);
+}
+
+} // namespace raylab

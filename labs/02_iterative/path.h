@@ -1,0 +1,91 @@
+// A path as a loop. PBR4e 13.2 and 14.1; Kajiya 1986.
+//
+// The rendering equation, unrolled along one random path p0 p1 p2 ...:
+//     L = Le(p1) + T1 Le(p2) + T1 T2 Le(p3) + ...,   Tk = f(pk) |cos| / pdf.
+// The recursive tracer multiplies by Tk on its way back; a loop cannot come back, so it carries the
+// product T1 T2 ... Tk forward: the *throughput*. It starts at one, because nothing has absorbed
+// anything yet, and what each surface gives is added times it.
+#pragma once
+
+#include "common/task/not_implemented.h"
+#include "common/transport/direct_light.h"
+
+namespace raylab::lab02 {
+
+//[ task 2.5
+// Russian roulette: from the fourth surface on, a path survives with probability q = the largest
+// channel of its throughput, and survivors count 1/q, so the mean stays.
+//     E[survives ? T/q : 0] = q (T/q) = T
+// Returns false if the path ends.
+HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
+    if (bounce < 3) return true;
+    const float q = fminf(max_component(throughput), 1.0f);
+    if (u >= q) return false;
+    throughput /= q;
+    return true;
+}
+//| HD bool survives_roulette(Vec3&, int, float) {
+//|     not_implemented("2.5", "survives_roulette()");
+//|     return true;
+//| }
+//]
+
+// Radiance along `ray`, by one path. record: what became of the path.
+template <Features F>
+HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const Sampler& sampler,
+                   Ray ray, PathRecord& record) {
+    //[ task 2.1
+    Vec3 radiance(0);             // what the path has collected
+    Vec3 throughput(1);           // what is left of light that joins it from here on
+    float bsdf_pdf = delta_pdf;   // density of the direction of `ray`
+    record = {0, 0, PathEnd::depth};
+
+    for (int bounce = 0; bounce < settings.max_depth; ++bounce) {
+        record.length = static_cast<std::uint16_t>(bounce + 1);
+
+        // 1. The closest surface, or the sky.
+        const Hit hit = intersect<F>(scene, ray);
+        if (!hit.found()) {
+            radiance += throughput * escaped_light<F>(scene, settings.direct_light, ray, bsdf_pdf);
+            record.end = PathEnd::escaped;
+            break;
+        }
+        const SurfacePoint surface = surface_at<F>(scene, ray, hit);
+        const Material& material = scene.materials[surface.material];
+        const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+        const Vec3 wo = -ray.d;
+
+        // 2. What it emits towards us, and what it scatters of the light sources.
+        radiance += throughput * emitted_light<F>(scene, settings.direct_light, ray, bsdf_pdf, surface);
+        if (bounce + 1 == settings.max_depth) break;
+        radiance += throughput * direct_light<F>(scene, settings.direct_light, surface, reflectance,
+                                                 wo, sampler, bounce, record);
+
+        // 3. A new direction, and the share of light that comes back from it.
+        const Vec2 u_lobe = sampler.get_2d(bounce_dimension(bounce, dimension::lobe_roulette));
+        const Vec2 u_direction = sampler.get_2d(bounce_dimension(bounce, dimension::direction));
+        const BsdfSample scattered = sample_bsdf<F>(
+            material, reflectance, surface.shading.to_local(wo), u_lobe.x, u_direction);
+        const Vec3 wi = surface.shading.to_world(scattered.wi);
+        if (!scattered.valid || !sides_agree(surface, wi)) {
+            record.end = PathEnd::absorbed;
+            break;
+        }
+        throughput *= scattered.weight;
+        if (settings.roulette && !survives_roulette(throughput, bounce, u_lobe.y)) {
+            record.end = PathEnd::roulette;
+            break;
+        }
+
+        // 4. Go there.
+        ray = spawn_ray(surface, wi);
+        bsdf_pdf = scattered.specular ? delta_pdf : scattered.pdf;
+    }
+    return radiance;
+    //| not_implemented("2.1", "trace_path()");
+    //| record = {1, 0, PathEnd::absorbed};
+    //| return Vec3(0);
+    //]
+}
+
+} // namespace raylab::lab02

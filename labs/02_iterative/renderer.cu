@@ -1,0 +1,149 @@
+// Lab 02: one CUDA thread a pixel, one launch an iteration.
+#include "labs/02_iterative/renderer.h"
+
+#include "common/device/device_scene.h"
+#include "common/device/launch.h"
+#include "common/scene/variants.h"
+#include "labs/02_iterative/path.h"
+#include "labs/02_iterative/wasted_cycles.h"
+#include "labs/02_iterative/whitted.h"
+
+#include <chrono>
+
+namespace raylab::lab02 {
+
+namespace {
+
+// What every thread of an iteration is told.
+struct Iteration {
+    RenderSettings settings;
+    std::uint32_t sample; // index of the sample that this iteration adds to every pixel
+};
+
+// One thread: one pixel, one camera ray, one path. The random numbers are keyed by pixel and sample,
+// never by thread: the launch may be cut into blocks in any way.
+template <Features F, Integrator I>
+__global__ void trace_kernel(SceneView scene, Iteration iteration, FilmPixel* film,
+                             PathRecord* records) {
+    //[ task 2.2
+    const int pixel = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+    const Camera& camera = scene.camera;
+    if (pixel >= camera.width * camera.height) return; // the last block overhangs the image
+    //|
+    //]
+    //[ task 2.4
+    const RenderSettings& settings = iteration.settings;
+    const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
+                             iteration.sample};
+    //|
+    //]
+    const Vec2 u_film = sampler.get_2d(dimension::film);
+    const Vec2 u_lens = sampler.get_2d(dimension::lens);
+    const Ray ray =
+        generate_ray(camera, pixel % camera.width, pixel / camera.width, u_film, u_lens);
+
+    PathRecord record;
+    Vec3 radiance;
+    if constexpr (I == Integrator::path)
+        radiance = trace_path<F>(scene, settings, sampler, ray, record);
+    else
+        radiance = trace_whitted<F>(scene, settings, sampler, ray, record);
+    //[ task 2.3
+    add_sample(film[pixel], radiance);
+    records[pixel] = record;
+    //|
+    //]
+}
+
+class IterativeRenderer final : public Renderer {
+  public:
+    IterativeRenderer(const Scene& scene, const MachineSettings& machine)
+        : host_scene_(scene), machine_(machine), features_(features_of(scene)), scene_(scene),
+          pixels_(scene.camera.width * scene.camera.height), film_(pixels_), records_(pixels_),
+          max_bounces_(scene.render.integrator == Integrator::path ? scene.render.max_depth : 64),
+          tallies_(static_cast<std::size_t>(shards) * max_bounces_), shadow_rays_(shards) {}
+
+    void add_iteration() override {
+        const auto start = std::chrono::steady_clock::now();
+        configure_machine(machine_);
+        const Iteration iteration = {host_scene_.render, samples_};
+        const int block = machine_.block_size;
+        const int blocks = blocks_for(pixels_, block);
+        with_variant(features_, [&]<Features F>() {
+            const auto kernel = iteration.settings.integrator == Integrator::path
+                                    ? trace_kernel<F, Integrator::path>
+                                    : trace_kernel<F, Integrator::whitted>;
+            kernel<<<blocks, block>>>(scene_.view(), iteration, film_.data(), records_.data());
+        });
+        check(cudaGetLastError(), "trace_kernel launch");
+        const int warps = blocks_for(pixels_, warp_lanes);
+        count_wasted_cycles<<<blocks_for(warps, block), block>>>(
+            records_.data(), pixels_, max_bounces_, tallies_.data(), shadow_rays_.data());
+        check(cudaGetLastError(), "count_wasted_cycles launch");
+        check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
+        ++samples_;
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    Film film() const override {
+        Film film(host_scene_.camera.width, host_scene_.camera.height);
+        film.pixels = film_.to_host();
+        return film;
+    }
+
+    Ledger ledger() const override;
+
+  private:
+    const Scene& host_scene_;
+    MachineSettings machine_;
+    Features features_;
+    DeviceScene scene_;
+    int pixels_;
+    DeviceArray<FilmPixel> film_;
+    DeviceArray<PathRecord> records_;
+    int max_bounces_;
+    DeviceArray<BounceTally> tallies_;
+    DeviceArray<unsigned long long> shadow_rays_;
+    std::uint32_t samples_ = 0;
+    double seconds_ = 0;
+};
+
+// The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays and
+// lanes are sums over the bounces that follow.
+Ledger IterativeRenderer::ledger() const {
+    Ledger ledger = begin_ledger(host_scene_, "02_iterative", machine_name());
+    ledger.samples = static_cast<int>(samples_);
+    ledger.seconds = seconds_;
+    const int block = machine_.block_size;
+    const std::uint64_t warps = blocks_for(pixels_, warp_lanes);
+    ledger.threads_launched =
+        std::uint64_t{samples_} * block * (blocks_for(pixels_, block) + blocks_for(warps, block));
+
+    const std::vector<BounceTally> tallies = tallies_.to_host();
+    ledger.bounces.resize(max_bounces_);
+    std::uint64_t rays = 0, warps_busy = 0;
+    for (int bounce = max_bounces_ - 1; bounce >= 0; --bounce) {
+        BounceCounts& counts = ledger.bounces[bounce];
+        for (int shard = 0; shard < shards; ++shard) {
+            const BounceTally& tally = tallies[static_cast<std::size_t>(shard) * max_bounces_ + bounce];
+            for (int end = 0; end < path_ends; ++end) {
+                counts.ended[end] += tally.ended[end];
+                rays += tally.ended[end];
+            }
+            warps_busy += tally.warps_ended;
+        }
+        counts.rays = rays;
+        counts.lanes = warps_busy * warp_lanes;
+    }
+    for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
+    for (const FilmPixel& pixel : film_.to_host()) ledger.rejected += pixel.rejected;
+    return ledger;
+}
+
+} // namespace
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
+    return std::make_unique<IterativeRenderer>(scene, machine);
+}
+
+} // namespace raylab::lab02
