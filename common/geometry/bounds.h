@@ -29,7 +29,7 @@ struct SlabRay {
 
     HD explicit SlabRay(const Ray& ray)
         : o(ray.o), inv_d(1.0f / ray.d.x, 1.0f / ray.d.y, 1.0f / ray.d.z),
-          negative{signbit(inv_d.x) != 0, signbit(inv_d.y) != 0, signbit(inv_d.z) != 0} {}
+          negative{inv_d.x < 0, inv_d.y < 0, inv_d.z < 0} {} // 1 / -0 = -inf
 };
 
 // Does the ray cross the box somewhere in [0, t_max]? May say yes to a near miss, never no to a hit.
@@ -44,11 +44,11 @@ HD bool crosses(const Bounds& box, const SlabRay& ray, float t_max) {
         const float o = (&ray.o.x)[axis], inv_d = (&ray.inv_d.x)[axis];
         const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
         const float near_t = ((negative ? high : low) - o) * inv_d;
-        const float far_t = ((negative ? low : high) - o) * inv_d * (1 + 2 * gamma_bound(3));
+        const float far_t = ((negative ? low : high) - o) * inv_d;
         if (near_t > t_near) t_near = near_t;
         if (far_t < t_far) t_far = far_t;
     }
-    return t_near <= t_far;
+    return t_near <= t_far * (1 + 2 * gamma_bound(3));
 }
 
 } // namespace raylab

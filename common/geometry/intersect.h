@@ -1,0 +1,80 @@
+// What a ray meets in a scene: the closest shape, or whether there is any.
+#pragma once
+
+#include "common/geometry/plane.h"
+#include "common/geometry/quad.h"
+#include "common/geometry/sphere.h"
+#include "common/geometry/triangle.h"
+#include "common/scene/features.h"
+#include "common/scene/view.h"
+
+namespace raylab {
+
+// Calls visit(shape, index, id, t) for every shape the ray meets in (0, ray.t_max), until visit
+// returns false. Runs of triangles whose box begins beyond reach() are skipped.
+template <Features F, class Visit, class Reach>
+HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit, const Reach& reach) {
+    float t;
+    if constexpr (F & feature::sphere) {
+        for (int i = 0; i < scene.spheres.size; ++i) {
+            const Sphere& sphere = scene.spheres[i];
+            if (intersect(sphere, ray, t) && !visit(Shape::sphere, i, sphere.tags.id, t)) return;
+        }
+    }
+    if constexpr (F & feature::plane) {
+        for (int i = 0; i < scene.planes.size; ++i) {
+            const Plane& plane = scene.planes[i];
+            if (intersect(plane, ray, t) && !visit(Shape::plane, i, plane.tags.id, t)) return;
+        }
+    }
+    if constexpr (!(F & (feature::quad | feature::triangle))) return;
+    const ShearedRay sheared(ray);
+    if constexpr (F & feature::quad) {
+        for (int i = 0; i < scene.quads.size; ++i) {
+            const Quad& quad = scene.quads[i];
+            if (intersect(quad, sheared, t) && !visit(Shape::quad, i, quad.tags.id, t)) return;
+        }
+    }
+    if constexpr (F & feature::triangle) {
+        const SlabRay slab(ray);
+        for (int r = 0; r < scene.runs.size; ++r) {
+            const TriangleRun& run = scene.runs[r];
+            if (!crosses(run.bounds, slab, reach())) continue;
+            for (int i = run.first; i < run.first + run.count; ++i) {
+                const Triangle& triangle = scene.triangles[i];
+                if (intersect(triangle, sheared, t) &&
+                    !visit(Shape::triangle, i, triangle.tags.id, t))
+                    return;
+            }
+        }
+    }
+}
+
+// The closest hit in (0, ray.t_max); of two at the same t that with the lowest id.
+// F: the features of the scene, so that shapes it has not cost nothing.
+template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray) {
+    Hit hit;
+    for_each_hit<F>(
+        scene, ray,
+        [&](Shape shape, int index, int id, float t) {
+            if (hit.is_beaten_by(t, id)) hit = {t, id, shape, index};
+            return true;
+        },
+        [&] { return fminf(hit.t, ray.t_max); });
+    return hit;
+}
+
+// Is anything in (0, ray.t_max)?
+template <Features F> HD bool occluded(const SceneView& scene, const Ray& ray) {
+    bool found = false;
+    for_each_hit<F>(
+        scene, ray,
+        [&](Shape, int, int, float) {
+            found = true;
+            return false;
+        },
+        [&] { return ray.t_max; });
+    return found;
+}
+
+} // namespace raylab

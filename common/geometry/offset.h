@@ -1,0 +1,35 @@
+// Rays that leave a surface: moved off it by what rounding can have misplaced, and no further.
+// PBR4e 6.8 (Managing Rounding Error), with the point put back on its surface in double first.
+//
+// Every bound is relative to the coordinates at hand; none is a length in world units.
+#pragma once
+
+#include "common/geometry/surface.h"
+
+namespace raylab {
+
+// p on the side of its surface to which w points: twice the error, so that neither the rounding of p
+// nor that of the sum puts the origin back on the wrong side.
+HD Vec3 offset_point(Vec3 p, Vec3 ng, float error, Vec3 w) {
+    return p + copysignf(2 * error, dot(w, ng)) * ng;
+}
+
+// The ray from a surface into the unit direction wi.
+HD Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
+    return {offset_point(surface.p, surface.ng, surface.error, wi), wi};
+}
+
+// The shadow feeler from a surface to a point, free of the surfaces at both ends: occluded() answers
+// whether anything lies between. target_error and target_normal describe the surface the target lies
+// on, as in SurfacePoint; for a point in space pass 0 and any normal.
+HD Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
+                    Vec3 target_normal) {
+    const Vec3 o = offset_point(surface.p, surface.ng, surface.error, target - surface.p);
+    // Rounding the direction moves its far end by a few ulps of the distance.
+    const float aim_error = gamma_bound(4) * length(target - o);
+    const Vec3 end = offset_point(target, target_normal, target_error + aim_error, o - target);
+    const float distance = length(end - o);
+    return {o, (end - o) / distance, distance * (1 - gamma_bound(4))};
+}
+
+} // namespace raylab
