@@ -9,52 +9,11 @@
 #include "common/film/ledger.h"
 #include "common/geometry/intersect.h"
 #include "common/geometry/offset.h"
-#include "common/geometry/surface.h"
-#include "common/light/sample_light.h"
 #include "common/material/bsdf.h"
-#include "common/sampling/mis.h"
 #include "common/sampling/sampler.h"
+#include "common/transport/emission.h"
 
 namespace raylab {
-
-// The density of a direction that no light sample could have found: the camera's, a mirror's.
-constexpr float delta_pdf = infinity;
-
-// Weight of emission that a ray met, whose direction had density bsdf_pdf, where light sampling
-// would have chosen that direction with density light_pdf. The heuristic gives 1 to delta_pdf.
-HD float emission_weight(DirectLight strategy, float bsdf_pdf, float light_pdf) {
-    if (strategy == DirectLight::bsdf || bsdf_pdf == delta_pdf) return 1;
-    if (strategy == DirectLight::light) return 0;
-    return power_heuristic(bsdf_pdf, light_pdf);
-}
-
-// Le of the surface that `ray` hit, weighted. Black for surfaces that do not emit.
-template <Features F>
-HD Vec3 emitted_light(const SceneView& scene, DirectLight strategy, const Ray& ray, float bsdf_pdf,
-                      const SurfacePoint& surface) {
-    if (surface.light < 0) return Vec3(0);
-    const Vec3 emission = scene.materials[surface.material].emission;
-    if (bsdf_pdf == delta_pdf) return emission;
-    const float pdf = light_pdf<F>(scene, surface.light, ray.o, ray.d, surface.p, surface.ng);
-    return emission * emission_weight(strategy, bsdf_pdf, pdf / scene.lights.size);
-}
-
-// Radiance of the environment along a ray that left the scene, weighted.
-template <Features F>
-HD Vec3 escaped_light(const SceneView& scene, DirectLight strategy, const Ray& ray, float bsdf_pdf) {
-    if constexpr ((F & (feature::environment | feature::environment_map)) == 0) return Vec3(0);
-    if (scene.environment.light < 0) return Vec3(0);
-    const Vec3 emission = environment_radiance<F>(scene, ray.d);
-    if (bsdf_pdf == delta_pdf) return emission;
-    const float pdf = light_pdf<F>(scene, scene.environment.light, ray.o, ray.d, Vec3(0), Vec3(0));
-    return emission * emission_weight(strategy, bsdf_pdf, pdf / scene.lights.size);
-}
-
-// A shading normal tilts the hemisphere: a direction above it may lie below the true surface, where
-// light would leak through. Such directions carry nothing.
-HD bool sides_agree(const SurfacePoint& surface, Vec3 w) {
-    return dot(w, surface.ng) * dot(w, surface.shading.z) > 0;
-}
 
 // Light from one given light to the surface, by one shadow feeler: f(wo, wi) |cos| L / p_l, times
 // the weight against BSDF sampling. p_choice: the probability that this light was chosen.

@@ -6,13 +6,12 @@
 // one ray a level.
 #pragma once
 
-#include "common/material/glass.h"
+#include "common/scene/settings.h"
 #include "common/task/not_implemented.h"
 #include "common/transport/direct_light.h"
+#include "common/transport/specular_split.h"
 
 namespace raylab::lab02 {
-
-constexpr int max_whitted_depth = 24;
 
 // A ray still to be traced. node numbers the tree: root 1, reflection 2n, refraction 2n + 1; it
 // stands in for the bounce in the random numbers' dimensions, the same in every lab.

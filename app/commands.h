@@ -1,0 +1,14 @@
+// The commands, one file each.
+#pragma once
+
+#include "app/options.h"
+
+namespace raylab::app {
+
+Run add_demo(CLI::App& app);
+Run add_render(CLI::App& app);
+Run add_compare(CLI::App& app);
+Run add_reference(CLI::App& app);
+Run add_scenes(CLI::App& app);
+
+} // namespace raylab::app

@@ -1,0 +1,27 @@
+// The labs, as the program knows them: the one place where they meet.
+#include "app/options.h"
+#include "labs/01_recursive/renderer.h"
+#include "labs/02_iterative/renderer.h"
+
+#include <fmt/format.h>
+
+namespace raylab::app {
+
+const std::vector<Lab>& labs() {
+    static const std::vector<Lab> all = {
+        {"01", "01_recursive", "the recursive tracer, plain C++", lab01::make_renderer},
+        {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel", lab02::make_renderer},
+    };
+    return all;
+}
+
+const Lab& find_lab(const std::string& name) {
+    std::string known;
+    for (const Lab& lab : labs()) {
+        if (name == lab.number || "0" + name == lab.number || name == lab.folder) return lab;
+        known += fmt::format("\n  {}  {}", lab.folder, lab.title);
+    }
+    throw UsageError(fmt::format("there is no lab '{}'; the labs are{}", name, known));
+}
+
+} // namespace raylab::app

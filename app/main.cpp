@@ -1,0 +1,72 @@
+// raylab: the program behind the script of the same name.
+#include "app/commands.h"
+#include "app/options.h"
+#include "common/cli/files.h"
+#include "common/image/image_file.h"
+#include "common/scene/scene_error.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace raylab::app {
+
+namespace {
+
+struct Command {
+    const char* name;
+    Run (*add)(CLI::App&);
+};
+
+constexpr Command commands[] = {
+    {"demo", add_demo},         {"render", add_render}, {"compare", add_compare},
+    {"reference", add_reference}, {"scenes", add_scenes},
+};
+
+// Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.
+int run(int argc, char** argv) {
+    CLI::App app("raylab: a teaching lab for parallel path tracing", "raylab");
+    app.require_subcommand(1);
+    app.footer("`raylab test` builds and runs every test. `raylab COMMAND --help` has examples.\n"
+               "Exit codes: 0 done or passed, 1 judged and failed, 2 wrong usage or input,\n"
+               "3 the tool itself failed.");
+    std::map<CLI::App*, Run> runs;
+    for (const Command& command : commands) {
+        CLI::App* sub = app.add_subcommand(command.name);
+        runs[sub] = command.add(*sub);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool asked_for_help = error.get_exit_code() == 0;
+        app.exit(error);
+        return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_usage);
+    }
+    return static_cast<int>(runs.at(app.get_subcommands().front())());
+}
+
+} // namespace
+
+} // namespace raylab::app
+
+int main(int argc, char** argv) {
+    using raylab::ExitCode;
+    try {
+        return raylab::app::run(argc, argv);
+    } catch (const raylab::app::UsageError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const raylab::SceneError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const raylab::ImageError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const raylab::FileError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::tool_failed);
+    }
+}

@@ -1,0 +1,31 @@
+// Both ways on from a surface that scatters in single directions only: what Whitted's tracer follows.
+#pragma once
+
+#include "common/material/bsdf.h"
+
+namespace raylab {
+
+// Local directions, and the share of their light that turns towards wo. A mirror only reflects.
+struct SpecularSplit {
+    Vec3 reflected = Vec3(0), reflected_weight = Vec3(0);
+    Vec3 refracted = Vec3(0), refracted_weight = Vec3(0);
+    bool refracts = false;
+};
+
+// material: is_specular. wo: local.
+template <Features F>
+HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3 wo) {
+    constexpr bool has_glass = (F & (feature::glass | feature::rough_dielectric)) != 0;
+    if constexpr (has_glass) {
+        if (material.kind == MaterialKind::glass || material.kind == MaterialKind::rough_dielectric) {
+            const FresnelSplit split = fresnel_split(material, wo);
+            return {split.reflected, reflectance * split.reflectance, split.refracted,
+                    reflectance * (1 - split.reflectance), split.reflectance < 1};
+        }
+    }
+    // The remaining lobes draw nothing at random: their sample is the one direction there is.
+    const BsdfSample sample = sample_bsdf<F>(material, reflectance, wo, 0, Vec2(0));
+    return {sample.wi, sample.weight, Vec3(0), Vec3(0), false};
+}
+
+} // namespace raylab

@@ -1,0 +1,61 @@
+// Shadow feelers: what the light sources send to a surface directly.
+//
+//     L = f(wo, wi) |cos(wi)| Le V / pdf,   V: does the feeler reach the light?
+#pragma once
+
+#include "common/transport/emission.h"
+#include "labs/01_recursive/intersect.h"
+#include "labs/01_recursive/scatter.h"
+#include "labs/01_recursive/tracer.h"
+
+namespace raylab::lab01 {
+
+// Light from one given light. p_choice: the probability that it was chosen; u: where on it.
+inline Vec3 light_from(const Path& path, DirectLight strategy, int light, float p_choice,
+                       const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
+    //[ task 1.3
+    const SceneView& scene = path.scene;
+    const LightSample sample = sample_light<feature::all>(scene, light, surface.p, u);
+    if (!sample.valid || !sides_agree(surface, sample.wi)) return Vec3(0);
+    if (strategy == DirectLight::bsdf && !sample.delta) return Vec3(0);
+
+    const BsdfValue bsdf =
+        evaluate(scene.materials[surface.material], reflectance, surface.shading.to_local(wo),
+                 surface.shading.to_local(sample.wi));
+    if (is_black(bsdf.f_cos)) return Vec3(0);
+
+    // The environment is infinitely far: its feeler has no end.
+    const Ray feeler = sample.distance == infinity
+                           ? spawn_ray(surface, sample.wi)
+                           : spawn_ray_to(surface, sample.p, sample.error, sample.n);
+    path.record.shadow_rays += path.record.shadow_rays < 65535;
+    if (any_hit(scene, feeler)) return Vec3(0);
+
+    // A BSDF sample might have found the same light: the power heuristic shares between the two,
+    // unless only the light sample can (a point light) or may.
+    const float pdf = p_choice * sample.pdf;
+    const bool alone = sample.delta || strategy == DirectLight::light;
+    const float weight = alone ? 1.0f : power_heuristic(pdf, bsdf.pdf);
+    return bsdf.f_cos * sample.radiance * (weight / pdf);
+    //| not_implemented("1.3", "light_from()");
+    //| return Vec3(0);
+    //]
+}
+
+// Light from one light chosen at random, all with the same probability.
+inline Vec3 direct_light(const Path& path, const SurfacePoint& surface, Vec3 reflectance, Vec3 wo,
+                         std::uint32_t bounce) {
+    const int lights = path.scene.lights.size;
+    if (lights == 0 || is_specular<feature::all>(path.scene.materials[surface.material]))
+        return Vec3(0);
+    int light = 0;
+    if (lights > 1) {
+        const float u = path.sampler.get_1d(bounce_dimension(bounce, dimension::light_choice));
+        light = std::min(static_cast<int>(u * lights), lights - 1);
+    }
+    const Vec2 u = path.sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
+    return light_from(path, path.settings.direct_light, light, 1.0f / lights, surface, reflectance,
+                      wo, u);
+}
+
+} // namespace raylab::lab01

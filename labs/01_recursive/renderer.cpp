@@ -1,0 +1,121 @@
+// Lab 01: threads over tiles, one recursion a pixel and iteration.
+#include "labs/01_recursive/renderer.h"
+
+#include "labs/01_recursive/camera.h"
+#include "labs/01_recursive/threads.h"
+#include "common/transport/emission.h"
+#include "labs/01_recursive/tracer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace raylab::lab01 {
+
+namespace {
+
+constexpr int tile_size = 16; // pixels a side: enough work to share out, small enough to balance
+
+// A frame of trace_path takes about 1 KiB, under sanitizers about 6; see RECURSION-STACK in the tests.
+constexpr std::size_t stack_bytes_per_bounce = 8 << 10;
+constexpr std::size_t stack_bytes_base = 1 << 20;
+
+class RecursiveRenderer final : public Renderer {
+  public:
+    RecursiveRenderer(const Scene& scene, const MachineSettings& machine)
+        : scene_(scene), view_(view(scene)), film_(scene.camera.width, scene.camera.height),
+          ledger_(begin_ledger(scene, "01_recursive", "")),
+          threads_(machine.threads > 0 ? machine.threads
+                                       : static_cast<int>(std::thread::hardware_concurrency())) {
+        ledger_.machine = fmt::format("host, {} threads", threads_);
+    }
+
+    void add_iteration() override {
+        const auto start = std::chrono::steady_clock::now();
+        const int columns = (film_.width + tile_size - 1) / tile_size;
+        const int tiles = columns * ((film_.height + tile_size - 1) / tile_size);
+        std::atomic<int> next_tile = 0;
+        const std::size_t stack =
+            stack_bytes_base + stack_bytes_per_bounce * scene_.render.max_depth;
+
+        run_on_threads(std::min(threads_, tiles), stack, [&] {
+            Ledger counts; // each thread counts for itself, and adds up once at the end
+            for (int tile = next_tile++; tile < tiles; tile = next_tile++)
+                render_tile(tile % columns * tile_size, tile / columns * tile_size, counts);
+            add_counts(counts);
+        });
+        ++ledger_.samples;
+        ledger_.seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    Film film() const override { return film_; }
+
+    Ledger ledger() const override {
+        Ledger ledger = ledger_;
+        for (const FilmPixel& pixel : film_.pixels) ledger.rejected += pixel.rejected;
+        return ledger;
+    }
+
+  private:
+    void render_tile(int x0, int y0, Ledger& counts) {
+        for (int y = y0; y < std::min(y0 + tile_size, film_.height); ++y)
+            for (int x = x0; x < std::min(x0 + tile_size, film_.width); ++x) {
+                const int pixel = y * film_.width + x;
+                PathRecord record = {0, 0, PathEnd::depth};
+                add_sample(film_.pixels[pixel], trace_pixel(x, y, pixel, record));
+                count(record, counts);
+            }
+    }
+
+    // One sample of one pixel. The random numbers are keyed by pixel and sample, never by thread.
+    Vec3 trace_pixel(int x, int y, int pixel, PathRecord& record) const {
+        const RenderSettings& settings = scene_.render;
+        const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
+                                 static_cast<std::uint32_t>(ledger_.samples)};
+        const Ray ray = camera_ray(view_.camera, x, y, sampler.get_2d(dimension::film),
+                                   sampler.get_2d(dimension::lens));
+        const Path path = {view_, settings, sampler, record};
+        return settings.integrator == Integrator::path ? trace_path(path, ray, 0, delta_pdf, Vec3(1))
+                                                       : trace_whitted(path, ray, 0, 1);
+    }
+
+    // A path of length n was alive in bounces 0 to n - 1 and ended in the last.
+    static void count(const PathRecord& record, Ledger& counts) {
+        if (counts.bounces.size() < record.length) counts.bounces.resize(record.length);
+        for (int bounce = 0; bounce < record.length; ++bounce) ++counts.bounces[bounce].rays;
+        ++counts.bounces[record.length - 1].ended[static_cast<int>(record.end)];
+        counts.shadow_rays += record.shadow_rays;
+    }
+
+    void add_counts(const Ledger& counts) {
+        const std::lock_guard lock(mutex_);
+        if (ledger_.bounces.size() < counts.bounces.size())
+            ledger_.bounces.resize(counts.bounces.size());
+        for (std::size_t b = 0; b < counts.bounces.size(); ++b) {
+            ledger_.bounces[b].rays += counts.bounces[b].rays;
+            for (int end = 0; end < path_ends; ++end)
+                ledger_.bounces[b].ended[end] += counts.bounces[b].ended[end];
+        }
+        ledger_.shadow_rays += counts.shadow_rays;
+    }
+
+    const Scene& scene_;
+    SceneView view_;
+    Film film_;
+    Ledger ledger_;
+    int threads_;
+    std::mutex mutex_;
+};
+
+} // namespace
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
+    return std::make_unique<RecursiveRenderer>(scene, machine);
+}
+
+} // namespace raylab::lab01

@@ -1,0 +1,10 @@
+// Lab 01, seen from outside.
+#pragma once
+
+#include "common/render/renderer.h"
+
+namespace raylab::lab01 {
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine);
+
+} // namespace raylab::lab01

@@ -1,0 +1,35 @@
+// Where does a ray meet a triangle?
+//
+// Seen along the ray, the triangle is flat and the ray is the point (0, 0): it passes inside if it is
+// on the same side of all three edges. Computed exactly, that answer is the same for both triangles of
+// a shared edge, so no ray slips between them (Woop, Benthin, Wald, JCGT 2(1), 2013).
+#pragma once
+
+#include "common/geometry/plane.h"
+#include "common/geometry/sheared_ray.h"
+#include "common/task/not_implemented.h"
+
+#include <algorithm>
+
+namespace raylab::lab01 {
+
+// t in (0, ray.t_max) at which the ray meets the triangle, from either side.
+inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float& t) {
+    //[ task 1.2
+    const Vec3* v = triangle.v;
+    const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]);
+    if (!same_side(edge(a, b), edge(b, c), edge(c, a))) return false;
+
+    // Where the ray crosses the triangle's plane, kept within the depths of the three corners: a
+    // ray almost in the plane makes the quotient a guess.
+    double distance;
+    if (!distance_to(plane_through(v[0], v[1], v[2]), ray.ray, distance)) return false;
+    const auto [nearest, farthest] = std::minmax({ray.depth(v[0]), ray.depth(v[1]), ray.depth(v[2])});
+    t = static_cast<float>(std::clamp(distance, nearest, farthest));
+    return t > 0 && t < ray.ray.t_max;
+    //| not_implemented("1.2", "hit_triangle()");
+    //| return false;
+    //]
+}
+
+} // namespace raylab::lab01
