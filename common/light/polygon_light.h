@@ -1,0 +1,70 @@
+// Quad and triangle lights, sampled uniformly by area. PBR4e 12.4 (area lights).
+//
+// Sampling by solid angle would replace these functions and nothing else: the pair sample and pdf
+// is all that the rest of the renderer knows of a light.
+#pragma once
+
+#include "common/geometry/shapes.h"
+#include "common/light/light_sample.h"
+#include "common/sampling/warp.h"
+
+namespace raylab {
+
+HD Vec3 lerp(Vec3 a, Vec3 b, float t) { return (1 - t) * a + t * b; }
+
+// Points of a convex quad are p(s, t), bilinear in the corners: p(0,0) = v[0], p(1,0) = v[1],
+// p(1,1) = v[2], p(0,1) = v[3]. The area of ds dt there is bilinear too, since the quad is planar:
+// its values at the corners are the parallelograms that the corners' edges span.
+struct QuadMeasure {
+    float at00, at10, at01, at11;
+
+    // The integral of a bilinear function over the unit square: the mean of its corners.
+    HD float area() const { return (at00 + at10 + at01 + at11) / 4; }
+};
+
+HD QuadMeasure measure(const Quad& quad) {
+    const Vec3 bottom = quad.v[1] - quad.v[0], right = quad.v[2] - quad.v[1];
+    const Vec3 top = quad.v[2] - quad.v[3], left = quad.v[3] - quad.v[0];
+    return {length(cross(bottom, left)), length(cross(bottom, right)), length(cross(top, left)),
+            length(cross(top, right))};
+}
+
+// (s, t) with density proportional to that measure makes p(s, t) uniform: first t, from the density
+// averaged over s, then s at that t. A parallelogram keeps s = u.x, t = u.y.
+HD LightSample sample_quad_light(const Quad& quad, Vec3 radiance, Vec3 from, Vec2 u) {
+    const QuadMeasure m = measure(quad);
+    const float t = sample_linear(u.y, m.at00 + m.at10, m.at01 + m.at11);
+    const float s =
+        sample_linear(u.x, (1 - t) * m.at00 + t * m.at01, (1 - t) * m.at10 + t * m.at11);
+    const Vec3 p = lerp(lerp(quad.v[0], quad.v[1], s), lerp(quad.v[3], quad.v[2], s), t);
+    const Vec3 largest = glm::max(glm::max(abs(quad.v[0]), abs(quad.v[1])),
+                                  glm::max(abs(quad.v[2]), abs(quad.v[3])));
+    const float error = gamma_bound(8) * dot(largest, abs(quad.normal));
+    return light_sample_at(from, p, error, quad.normal, 1 / m.area(), radiance);
+}
+
+HD float quad_light_pdf(const Quad& quad, Vec3 from, Vec3 wi, Vec3 p) {
+    return solid_angle_pdf(1 / measure(quad).area(), length_squared(p - from),
+                           fabsf(dot(wi, quad.normal)));
+}
+
+HD float triangle_area(const Triangle& triangle) {
+    const Vec3 e1 = triangle.v[1] - triangle.v[0], e2 = triangle.v[2] - triangle.v[0];
+    return length(cross(e1, e2)) / 2;
+}
+
+HD LightSample sample_triangle_light(const Triangle& triangle, Vec3 radiance, Vec3 from, Vec2 u) {
+    const Vec2 b = sample_triangle(u);
+    const Vec3 p = b.x * triangle.v[0] + b.y * triangle.v[1] + (1 - b.x - b.y) * triangle.v[2];
+    const Vec3 largest =
+        glm::max(glm::max(abs(triangle.v[0]), abs(triangle.v[1])), abs(triangle.v[2]));
+    const float error = gamma_bound(8) * dot(largest, abs(triangle.normal));
+    return light_sample_at(from, p, error, triangle.normal, 1 / triangle_area(triangle), radiance);
+}
+
+HD float triangle_light_pdf(const Triangle& triangle, Vec3 from, Vec3 wi, Vec3 p) {
+    return solid_angle_pdf(1 / triangle_area(triangle), length_squared(p - from),
+                           fabsf(dot(wi, triangle.normal)));
+}
+
+} // namespace raylab

@@ -1,0 +1,27 @@
+// What BSDFs give to an integrator. PBR4e 9.1 (BSDF Representation).
+//
+// Directions are local: z is the surface's outward normal, and both wo (to the viewer) and wi (to
+// the light) point away from the surface.
+#pragma once
+
+#include "common/math/vec.h"
+
+namespace raylab {
+
+// A direction chosen by the BSDF.
+struct BsdfSample {
+    Vec3 wi = Vec3(0);
+    Vec3 weight =
+        Vec3(0);   // f(wo, wi) |cos(theta_i)| / pdf: what the path's throughput is multiplied by
+    float pdf = 0; // of wi, per solid angle; 0 for a delta lobe, whose density is no number
+    bool specular = false; // wi comes from a delta lobe: no light sample could have found it
+    bool valid = false;    // false: the path ends, it carries nothing
+};
+
+// The BSDF for a given pair of directions; delta lobes count as 0.
+struct BsdfValue {
+    Vec3 f_cos = Vec3(0); // f(wo, wi) |cos(theta_i)|, 1/sr
+    float pdf = 0;        // the density with which sampling chooses wi, 1/sr
+};
+
+} // namespace raylab

@@ -1,0 +1,76 @@
+// How much a smooth interface reflects: Fresnel's equations for unpolarised light.
+// PBR4e 9.3.5 (the Fresnel equations for dielectrics), 9.3.6 (for conductors).
+//
+// cos_i: cosine between direction and normal, in [0, 1]. eta: index of refraction behind the
+// surface over the one in front of it; entering glass 1.5, leaving it 1/1.5.
+#pragma once
+
+#include "common/material/material.h"
+#include "common/math/numbers.h"
+
+namespace raylab {
+
+// sin^2 of the refracted angle (Snell); 1 or more: total internal reflection.
+HD float refracted_sin2(float cos_i, float eta) { return (1 - cos_i) * (1 + cos_i) / (eta * eta); }
+
+HD float fresnel_dielectric(float cos_i, float eta) {
+    cos_i = clamp(cos_i, 0, 1);
+    const float sin2_t = refracted_sin2(cos_i, eta);
+    if (sin2_t >= 1) return 1;
+    const float cos_t = sqrtf(1 - sin2_t);
+    const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    return (sqr(parallel) + sqr(perpendicular)) / 2;
+}
+
+// r0 at normal incidence, 1 at grazing (Schlick 1994).
+HD float schlick(float r0, float cosine) {
+    const float m = 1 - clamp(cosine, 0, 1);
+    return r0 + (1 - r0) * (m * m) * (m * m) * m;
+}
+
+// An approximation, off by up to 0.21 (ior 1.1) near grazing. The angle that counts is the larger
+// one, on the thinner side; from inside that is the refracted one, and past it reflection is total.
+HD float fresnel_dielectric_schlick(float cos_i, float eta) {
+    const float sin2_t = refracted_sin2(clamp(cos_i, 0, 1), eta);
+    if (sin2_t >= 1) return 1;
+    return schlick(sqr((eta - 1) / (eta + 1)), eta < 1 ? sqrtf(1 - sin2_t) : cos_i);
+}
+
+// A metal's index is complex, eta + i k, relative to the medium in front. Fresnel's equations with
+// complex amplitudes, their squared moduli written out in reals: with
+//   a^2 + b^2 = |n^2 - sin^2|,  a^2 = (|n^2 - sin^2| + Re(n^2 - sin^2)) / 2,  n = eta + i k.
+HD float fresnel_conductor(float cos_i, float eta, float k) {
+    cos_i = clamp(cos_i, 0, 1);
+    const float cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
+    const float re = (eta - k) * (eta + k) - sin2, im = 2 * eta * k;
+    const float modulus = sqrtf(re * re + im * im);
+    // a = Re sqrt(re + i im). For re < 0 the sum cancels; a b = im / 2 gives a without.
+    const float larger = sqrtf((modulus + fabsf(re)) / 2);
+    const float a = re >= 0 ? larger : im / (2 * larger);
+
+    const float s1 = modulus + cos2, s2 = 2 * a * cos_i;
+    const float perpendicular = (s1 - s2) / (s1 + s2);
+    const float p1 = modulus * cos2 + sin2 * sin2, p2 = s2 * sin2;
+    const float parallel = perpendicular * (p1 - p2) / (p1 + p2);
+    return (perpendicular + parallel) / 2;
+}
+
+// What a material reflects at cos_i, by the Fresnel model it asks for.
+HD float dielectric_reflectance(const Material& m, float cos_i, float eta) {
+    return m.fresnel == FresnelModel::exact ? fresnel_dielectric(cos_i, eta)
+                                            : fresnel_dielectric_schlick(cos_i, eta);
+}
+
+HD float conductor_reflectance(FresnelModel model, float cos_i, float eta, float k) {
+    return model == FresnelModel::exact ? fresnel_conductor(cos_i, eta, k)
+                                        : schlick(fresnel_conductor(1, eta, k), cos_i);
+}
+
+HD Vec3 conductor_reflectance(const Material& m, float cos_i) {
+    return Vec3(conductor_reflectance(m.fresnel, cos_i, m.eta.x, m.k.x),
+                conductor_reflectance(m.fresnel, cos_i, m.eta.y, m.k.y),
+                conductor_reflectance(m.fresnel, cos_i, m.eta.z, m.k.z));
+}
+
+} // namespace raylab

@@ -1,0 +1,35 @@
+// A smooth dielectric interface: Fresnel decides how light splits into reflection and refraction.
+// PBR4e 9.5 (Dielectric BSDF).
+//
+// Paths carry basic radiance L / n^2 (Nicodemus 1963), which is constant along a ray through any
+// chain of refractions, so none multiplies by eta^2. It equals radiance wherever camera and
+// lights stand in the same medium; a light inside the glass would be read as n^2 times too dim.
+#pragma once
+
+#include "common/material/bsdf_sample.h"
+#include "common/material/fresnel.h"
+#include "common/material/refract.h"
+
+namespace raylab {
+
+// Both ways on from a smooth interface. wo: local; z > 0 is outside, the ior inside is m.ior.
+struct FresnelSplit {
+    Vec3 reflected, refracted; // local, unit
+    float reflectance; // part of the light that is reflected; 1: `refracted` is not to be used
+};
+
+HD FresnelSplit fresnel_split(const Material& m, Vec3 wo) {
+    const float eta = wo.z > 0 ? m.ior : 1 / m.ior;
+    const Refraction through = refract(wo, Vec3(0, 0, copysignf(1, wo.z)), eta);
+    return {Vec3(-wo.x, -wo.y, wo.z), through.wi,
+            through.total ? 1.0f : dielectric_reflectance(m, fabsf(wo.z), eta)};
+}
+
+// Reflects with probability F, refracts with 1 - F: F and 1 - F cancel out of the weight.
+HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) {
+    const FresnelSplit split = fresnel_split(m, wo);
+    const bool reflects = u_lobe < split.reflectance;
+    return {reflects ? split.reflected : split.refracted, tint, 0, true, true};
+}
+
+} // namespace raylab

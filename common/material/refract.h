@@ -1,0 +1,28 @@
+// Reflection and refraction of a direction at a normal. All vectors are unit and point away from
+// the surface. PBR4e 9.3.1 (the law of specular reflection), 9.3.3 (refraction and Snell's law).
+#pragma once
+
+#include "common/math/numbers.h"
+#include "common/math/vec.h"
+
+namespace raylab {
+
+HD Vec3 reflect(Vec3 wo, Vec3 n) { return 2 * dot(wo, n) * n - wo; }
+
+struct Refraction {
+    Vec3 wi;    // into the other side of the surface; never NaN
+    bool total; // total internal reflection: no light is refracted, wi lies in the surface
+};
+
+// Requires dot(wo, n) >= 0. eta: index of refraction on the far side over that on wo's.
+//
+// Snell's law shrinks the part of wo along the surface by eta; the part along n makes up the unit
+// length. Taking it from that length, and not from dot(wo, n), keeps a thousand refractions in a
+// row unit without normalising any.
+HD Refraction refract(Vec3 wo, Vec3 n, float eta) {
+    const Vec3 t = -(wo - dot(wo, n) * n) / eta;
+    const float sin2_t = dot(t, t);
+    return {t - safe_sqrt(1 - sin2_t) * n, sin2_t >= 1};
+}
+
+} // namespace raylab

@@ -1,0 +1,66 @@
+// Rough glass: microfacets that reflect and refract. Walter et al., Microfacet Models for
+// Refraction through Rough Surfaces, EGSR 2007; PBR4e 9.7.
+//
+// Carries basic radiance, as smooth glass does (glass.h). A normal m is chosen, then m reflects
+// with probability F(wo.m) or refracts; F and 1 - F cancel out of the weight.
+#pragma once
+
+#include "common/material/glass.h"
+#include "common/material/microfacet.h"
+
+namespace raylab {
+
+// With equal indices light goes straight through, however rough the interface.
+HD bool is_smooth_dielectric(const Material& m) { return m.is_smooth() || m.ior == 1; }
+
+// Solid angle of wi for one of normals m, inverted: dm / dwi, when m refracts wo to wi.
+HD float refraction_jacobian(Vec3 wo, Vec3 wi, Vec3 m, float eta) {
+    return fabsf(dot(wi, m)) / sqr(dot(wi, m) + dot(wo, m) / eta);
+}
+
+HD BsdfValue evaluate_rough_dielectric(const Material& m, Vec3 tint, Vec3 wo, Vec3 wi) {
+    if (is_smooth_dielectric(m) || wo.z == 0 || wi.z == 0) return {};
+    const float eta = wo.z > 0 ? m.ior : 1 / m.ior;
+    if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z; // the view from inside, turned over
+
+    // The normal that takes wo to wi: half way between for reflection, weighted by the indices for
+    // refraction; it points to the outside of wo's side.
+    const bool reflects = wi.z > 0;
+    Vec3 normal = normalize(reflects ? wo + wi : wo + eta * wi);
+    if (normal.z < 0) normal = -normal;
+    const float cosine = dot(wo, normal), cosine_i = dot(wi, normal);
+    if (!(cosine > 0 && (cosine_i > 0) == reflects)) return {}; // seen from behind
+
+    const MicrofacetDistribution distribution{m.microfacets, m.alpha};
+    const float F = dielectric_reflectance(m, cosine, eta);
+    const float pdf =
+        distribution.pdf(wo, normal) *
+        (reflects ? F / (4 * cosine) : (1 - F) * refraction_jacobian(wo, wi, normal, eta));
+    return {tint * (distribution.weight(wo, wi, normal) * pdf), pdf};
+}
+
+HD BsdfSample sample_rough_dielectric(const Material& m, Vec3 tint, Vec3 wo, float u_lobe, Vec2 u) {
+    if (is_smooth_dielectric(m)) return sample_glass(m, tint, wo, u_lobe);
+    const float eta = wo.z > 0 ? m.ior : 1 / m.ior;
+    const float side = copysignf(1, wo.z);
+    wo.z = fabsf(wo.z);
+
+    const MicrofacetDistribution distribution{m.microfacets, m.alpha};
+    const Vec3 normal = distribution.sample(wo, u);
+    const float cosine = dot(wo, normal);
+    if (!(cosine > 0)) return {};
+    const Refraction through = refract(wo, normal, eta);
+    const float F = through.total ? 1.0f : dielectric_reflectance(m, cosine, eta);
+    const bool reflects = u_lobe < F;
+    Vec3 wi = reflects ? reflect(wo, normal) : through.wi;
+    if (!(reflects ? wi.z > 0 : wi.z < 0)) return {}; // onto the wrong side of the surface
+
+    const float pdf =
+        distribution.pdf(wo, normal) *
+        (reflects ? F / (4 * cosine) : (1 - F) * refraction_jacobian(wo, wi, normal, eta));
+    const float weight = distribution.weight(wo, wi, normal);
+    wi.z *= side;
+    return {wi, tint * weight, pdf, false, pdf > 0};
+}
+
+} // namespace raylab
