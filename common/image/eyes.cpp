@@ -1,0 +1,85 @@
+// The formats for eyes and other programs, by stb: PNG and Radiance HDR.
+#include "common/image/display.h"
+#include "common/image/formats.h"
+
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include <fmt/format.h>
+
+#include <climits>
+#include <memory>
+
+namespace raylab {
+namespace {
+
+void append(void* bytes, void* data, int size) {
+    static_cast<std::string*>(bytes)->append(static_cast<char*>(data),
+                                             static_cast<std::size_t>(size));
+}
+
+using Pixels = std::unique_ptr<void, decltype(&stbi_image_free)>;
+
+// The size in the header is checked before stb allocates anything.
+Image sized_by_header(const std::string& bytes) {
+    int width = 0, height = 0, channels = 0;
+    if (bytes.size() > INT_MAX) throw std::runtime_error("it is larger than 2 GiB");
+    if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                               static_cast<int>(bytes.size()), &width, &height, &channels))
+        throw std::runtime_error(fmt::format("its header is damaged ({})", stbi_failure_reason()));
+    return formats::allocate(width, height, bytes.size());
+}
+
+[[noreturn]] void damaged() {
+    throw std::runtime_error(fmt::format("it is truncated or damaged ({})", stbi_failure_reason()));
+}
+
+} // namespace
+
+std::string encode_png(const Image& image, float exposure) {
+    std::vector<std::array<std::uint8_t, 3>> rgb(image.pixels());
+    for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = display_rgb8(image.mean[i], exposure);
+    std::string bytes;
+    stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(),
+                           3 * image.width);
+    return bytes;
+}
+
+// RGBE holds neither negative nor non-finite values: both become 0.
+std::string formats::encode_hdr(const Image& image) {
+    std::vector<Vec3> clean = image.mean;
+    for (Vec3& v : clean)
+        for (int c = 0; c < 3; ++c) v[c] = std::isfinite(v[c]) && v[c] > 0 ? v[c] : 0.0f;
+    std::string bytes;
+    stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, &clean[0].x);
+    return bytes;
+}
+
+Image formats::decode_hdr(const std::string& bytes) {
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    Image image = sized_by_header(bytes);
+    if (!stbi_is_hdr_from_memory(data, static_cast<int>(bytes.size())))
+        throw std::runtime_error("it does not start with a Radiance header ('#?RADIANCE')");
+    int w = 0, h = 0, n = 0;
+    const Pixels pixels(stbi_loadf_from_memory(data, static_cast<int>(bytes.size()), &w, &h, &n, 3),
+                        stbi_image_free);
+    if (!pixels) damaged();
+    std::copy_n(static_cast<const Vec3*>(pixels.get()), image.pixels(), image.mean.begin());
+    return image;
+}
+
+Image formats::decode_png(const std::string& bytes) {
+    Image image = sized_by_header(bytes);
+    int w = 0, h = 0, n = 0;
+    const Pixels pixels(stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                                              static_cast<int>(bytes.size()), &w, &h, &n, 3),
+                        stbi_image_free);
+    if (!pixels) damaged();
+    const auto* rgb = static_cast<const stbi_uc*>(pixels.get());
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        for (int c = 0; c < 3; ++c)
+            image.mean[i][c] = linear_from_srgb(rgb[3 * i + static_cast<std::size_t>(c)] / 255.0f);
+    return image;
+}
+
+} // namespace raylab

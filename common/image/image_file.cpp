@@ -1,0 +1,98 @@
+// Which format a name means, and errors that name the file.
+#include "common/image/image_file.h"
+
+#include "common/cli/files.h"
+#include "common/image/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace raylab {
+namespace {
+
+constexpr const char* endings = ".exr, .pfm, .hdr or .png";
+
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+[[noreturn]] void unknown_ending(const std::string& path) {
+    throw ImageError(
+        fmt::format("'{}' is not a name of an image file: it should end in {}", path, endings));
+}
+
+} // namespace
+
+Image formats::allocate(long long width, long long height, std::size_t bytes_in_file) {
+    if (width < 1 || height < 1)
+        throw std::runtime_error(fmt::format("its header says {} x {} pixels", width, height));
+    if (width > max_image_side || height > max_image_side ||
+        static_cast<std::size_t>(width * height) > max_image_pixels)
+        throw std::runtime_error(fmt::format("its header says {} x {} pixels, and raylab reads at "
+                                             "most {} a side and {} million in all",
+                                             width, height, max_image_side,
+                                             max_image_pixels >> 20));
+    if (static_cast<std::size_t>(width * height) / 4096 * 3 > bytes_in_file)
+        throw std::runtime_error(fmt::format("its header says {} x {} pixels, far more than its {} "
+                                             "bytes can hold",
+                                             width, height, bytes_in_file));
+    Image image;
+    image.width = static_cast<int>(width);
+    image.height = static_cast<int>(height);
+    image.mean.resize(image.pixels());
+    return image;
+}
+
+Image read_image(const std::string& path) {
+    const std::string ending = ending_of(path);
+    Image (*decode)(const std::string&) = ending == ".exr"   ? formats::decode_exr
+                                          : ending == ".pfm" ? formats::decode_pfm
+                                          : ending == ".hdr" ? formats::decode_hdr
+                                          : ending == ".png" ? formats::decode_png
+                                                             : nullptr;
+    if (!decode) unknown_ending(path);
+    try {
+        const std::string bytes = read_file(path);
+        if (bytes.empty()) throw std::runtime_error("it is empty (0 bytes)");
+        return decode(bytes);
+    } catch (const FileError& e) {
+        throw ImageError(e.what());
+    } catch (const std::bad_alloc&) {
+        throw ImageError(fmt::format("cannot read '{}': not enough memory", path));
+    } catch (const std::exception& e) {
+        throw ImageError(fmt::format("cannot read '{}' as an {} image: {}; render or copy it again",
+                                     path, ending.substr(1), e.what()));
+    }
+}
+
+void write_image(const Image& image, const std::string& path, float exposure) {
+    if (image.width < 1 || image.height < 1 || image.mean.size() != image.pixels() ||
+        (!image.variance.empty() && image.variance.size() != image.pixels()))
+        throw ImageError(fmt::format("cannot write '{}': the image is {} x {} but holds {} pixels "
+                                     "and {} variances",
+                                     path, image.width, image.height, image.mean.size(),
+                                     image.variance.size()));
+    const std::string ending = ending_of(path);
+    try {
+        if (ending == ".exr")
+            write_file(path, formats::encode_exr(image));
+        else if (ending == ".pfm")
+            write_file(path, formats::encode_pfm(image));
+        else if (ending == ".hdr")
+            write_file(path, formats::encode_hdr(image));
+        else if (ending == ".png")
+            write_file(path, encode_png(image, exposure));
+        else
+            unknown_ending(path);
+    } catch (const FileError& e) {
+        throw ImageError(e.what());
+    }
+}
+
+} // namespace raylab
