@@ -1,5 +1,5 @@
-// Which features a scene uses. Kernels are templates over this set: what a scene does not use is not
-// in its kernel, so a diffuse Cornell box pays nothing for glass, meshes or lenses.
+// Which features a scene uses. Kernels are templates over this set: what a scene does not use is
+// not in its kernel, so a diffuse Cornell box pays nothing for glass, meshes or lenses.
 #pragma once
 
 #include "common/math/hd.h"

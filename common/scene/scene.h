@@ -14,18 +14,18 @@ namespace raylab {
 // What a scene file promises about its own image: the scene is its own test.
 struct Expectation {
     // The mean over the region of one channel-average (or of each channel) of the image.
-    Vec3 value;                         // closed form, linear RGB
-    double tolerance = 0;               // relative error allowed beside the statistical one
-    std::array<int, 4> region{};        // x0, y0, x1, y1 in pixels, half open; whole film if all zero
-    int spp = 0;                        // samples a pixel to render for the check
-    std::string formula;                // the closed form in words, with its source
+    Vec3 value;                  // closed form, linear RGB
+    double tolerance = 0;        // relative error allowed beside the statistical one
+    std::array<int, 4> region{}; // x0, y0, x1, y1 in pixels, half open; whole film if all zero
+    int spp = 0;                 // samples a pixel to render for the check
+    std::string formula;         // the closed form in words, with its source
 };
 
 struct Scene {
-    std::string name;        // file name without folder and extension
-    std::string title;       // one line
-    std::string reason;      // why the scene exists
-    std::string hash;        // 16 hex digits over the file and every file it names
+    std::string name;   // file name without folder and extension
+    std::string title;  // one line
+    std::string reason; // why the scene exists
+    std::string hash;   // 16 hex digits over the file and every file it names
 
     RenderSettings render;
     Camera camera{};
@@ -46,6 +46,9 @@ struct Scene {
     std::vector<Vec3> environment_map;
     std::vector<float> environment_row_cdf, environment_column_cdf;
     std::vector<Expectation> expect;
+
+    // Legal but probably not meant: "no light and nothing emits: the image will be black".
+    std::vector<std::string> warnings;
 };
 
 // The scene's arrays in host memory. Valid as long as the scene is neither moved nor changed.

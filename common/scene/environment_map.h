@@ -1,0 +1,19 @@
+// How an environment map is sampled: in proportion to what each texel sends.
+#pragma once
+
+#include "common/scene/picture.h"
+
+#include <vector>
+
+namespace raylab {
+
+// The tables of Environment (view.h): row_cdf[i] = P(row < i), height + 1 values;
+// column_cdf[row * (width + 1) + j] = P(column < j | row). They begin with 0, end with 1 and never
+// fall. Built in double. A black row is uniform within, a black map is uniform over the sphere.
+struct EnvironmentCdf {
+    std::vector<float> row, column;
+};
+
+EnvironmentCdf environment_cdf(const Picture& map);
+
+} // namespace raylab

@@ -1,0 +1,56 @@
+// A mesh as its file gives it, before the scene's transform: what the OBJ and glTF readers return.
+#pragma once
+
+#include "common/math/vec.h"
+#include "common/scene/picture.h"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raylab {
+
+struct MeshTriangle {
+    std::array<int, 3> position;           // indices into Mesh::positions
+    std::array<int, 3> normal{-1, -1, -1}; // into Mesh::normals, or all -1: none
+    std::array<int, 3> uv{-1, -1, -1};     // into Mesh::uvs, or all -1: none
+    int material = -1;                     // into Mesh::materials, or -1: none
+};
+
+// The base colour of a mesh file's own material.
+struct MeshMaterial {
+    std::string name;
+    Vec3 reflectance = Vec3(1);
+    int picture = -1; // into Mesh::pictures, or -1; its texels are multiplied by reflectance
+};
+
+struct Mesh {
+    std::vector<DVec3>
+        positions; // may be non-finite: triangles that use such a one are dropped later
+    std::vector<DVec3> normals;          // any length, also 0
+    std::vector<Vec2> uvs;               // v up
+    std::vector<MeshTriangle> triangles; // counterclockwise seen from outside
+    std::vector<MeshMaterial> materials;
+    std::vector<Picture> pictures;
+    std::vector<std::string> warnings;
+};
+
+// Reads a file that a mesh file names, relative to it; throws SceneError.
+using ReadNamedFile = std::function<std::string(const std::string& name)>;
+
+// Wavefront OBJ. Throws SceneError as `name:line: expected ..., found ...`.
+Mesh parse_obj(std::string_view text, const std::string& name);
+
+// glTF 2.0, as text or as one binary file (GLB). Throws SceneError.
+Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read);
+
+// Gives every triangle one normal per corner: the mean of the faces' normals around the same
+// position, weighted by their angles there, so that it does not depend on how polygons were cut
+// (Thurmer and Wuthrich, Computing Vertex Normals from Polygonal Facets, JGT 3(1), 1998).
+void compute_smooth_normals(Mesh& mesh);
+
+} // namespace raylab

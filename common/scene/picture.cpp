@@ -1,0 +1,114 @@
+// Decoding by stb_image, which reads zeros behind the end of a file: so we hand it the bytes
+// through callbacks and notice when it asks for more than there are.
+#include "common/scene/picture.h"
+
+#include "common/scene/scene_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_HDR
+#define STBI_MAX_DIMENSIONS 16384
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace raylab {
+namespace {
+
+struct ByteReader {
+    std::string_view bytes;
+    std::size_t at = 0;
+    bool past_end = false;
+
+    static int read(void* user, char* data, int size) {
+        ByteReader& self = *static_cast<ByteReader*>(user);
+        const std::size_t count = std::min(std::size_t(size), self.bytes.size() - self.at);
+        if (count == 0) self.past_end = true;
+        std::memcpy(data, self.bytes.data() + self.at, count);
+        self.at += count;
+        return int(count);
+    }
+    static void skip(void* user, int count) {
+        ByteReader& self = *static_cast<ByteReader*>(user);
+        const std::size_t left = self.bytes.size() - self.at;
+        if (count > 0 && std::size_t(count) > left) self.past_end = true;
+        self.at = count < 0 ? self.at - std::min(self.at, std::size_t(-std::int64_t(count)))
+                            : self.at + std::min(left, std::size_t(count));
+    }
+    static int eof(void* user) {
+        const ByteReader& self = *static_cast<ByteReader*>(user);
+        return self.at == self.bytes.size();
+    }
+};
+
+constexpr stbi_io_callbacks callbacks{ByteReader::read, ByteReader::skip, ByteReader::eof};
+
+} // namespace
+
+float linear_from_srgb(int value) {
+    const double s = value / 255.0;
+    return float(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+Picture decode_picture(std::string_view bytes, const std::string& name) {
+    const auto fail = [&](const std::string& what) { throw SceneError(name + ": " + what); };
+    int width = 0, height = 0, channels = 0;
+    ByteReader reader{bytes};
+    if (!stbi_info_from_callbacks(&callbacks, &reader, &width, &height, &channels)) {
+        const bool cut = reader.past_end && !bytes.empty();
+        fail(cut ? "the image ends too early: the file was cut off; write or copy it again"
+                 : "expected a PNG, JPEG or Radiance HDR image, found something else");
+    }
+    if (width > max_picture_side || height > max_picture_side ||
+        width > max_picture_texels / height)
+        fail(fmt::format(
+            "expected an image of at most {} texels a side and {} in all, found {} x {}; "
+            "scale it down",
+            max_picture_side, max_picture_texels, width, height));
+
+    Picture picture{width, height, std::vector<Vec3>(std::size_t(width) * height)};
+    ByteReader probe{bytes};
+    const bool is_hdr = stbi_is_hdr_from_callbacks(&callbacks, &probe);
+    reader = ByteReader{bytes};
+    std::unique_ptr<void, decltype(&stbi_image_free)> pixels(
+        is_hdr ? static_cast<void*>(
+                     stbi_loadf_from_callbacks(&callbacks, &reader, &width, &height, &channels, 3))
+               : stbi_load_from_callbacks(&callbacks, &reader, &width, &height, &channels, 3),
+        stbi_image_free);
+    if (reader.past_end)
+        fail("the image ends too early: the file was cut off; write or copy it again");
+    if (!pixels)
+        fail(fmt::format("the image is broken ({}); write it again", stbi_failure_reason()));
+
+    if (is_hdr) {
+        std::memcpy(picture.texels.data(), pixels.get(), picture.texels.size() * sizeof(Vec3));
+        for (std::size_t i = 0; i < picture.texels.size(); ++i) {
+            const Vec3 c = picture.texels[i];
+            if (!is_finite(c) || c.x < 0 || c.y < 0 || c.z < 0)
+                fail(fmt::format(
+                    "texel ({}, {}) is ({}, {}, {}); expected finite values of at least 0",
+                    int(i) % width, int(i) / width, c.x, c.y, c.z));
+        }
+        return picture;
+    }
+    float linear[256];
+    for (int value = 0; value < 256; ++value) linear[value] = linear_from_srgb(value);
+    const auto* rgb = static_cast<const unsigned char*>(pixels.get());
+    for (std::size_t i = 0; i < picture.texels.size(); ++i)
+        picture.texels[i] =
+            Vec3(linear[rgb[3 * i]], linear[rgb[3 * i + 1]], linear[rgb[3 * i + 2]]);
+    return picture;
+}
+
+} // namespace raylab

@@ -1,0 +1,28 @@
+// Image files as linear RGB: textures and environment maps.
+#pragma once
+
+#include "common/math/vec.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raylab {
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<Vec3> texels; // linear RGB, row by row, top row first; all finite, >= 0
+};
+
+// Sizes beyond these are errors.
+constexpr int max_picture_side = 16384;
+constexpr int max_picture_texels = 1 << 25; // 384 MiB as float
+
+// Decodes PNG, JPEG (8 bits a channel are sRGB) or Radiance HDR (linear). `name` is for messages.
+// Throws SceneError: unknown format, too large, broken, or ending too early.
+Picture decode_picture(std::string_view bytes, const std::string& name);
+
+// IEC 61966-2-1: the linear value of an 8-bit sRGB one.
+float linear_from_srgb(int value);
+
+} // namespace raylab

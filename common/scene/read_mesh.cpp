@@ -1,0 +1,133 @@
+// A mesh shape: the file's triangles in world space, each with its id, its material and, where a
+// corner has a normal or a texture coordinate that matters, its corner data.
+#include "common/scene/mesh.h"
+
+#include "common/scene/read_file.h"
+#include "common/scene/scene_builder.h"
+#include "common/scene/scene_error.h"
+#include "common/scene/triangle_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab {
+namespace {
+
+std::string extension_of(const std::string& name) {
+    std::string extension = std::filesystem::path(name).extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+DVec3 unit_or(DVec3 n, DVec3 otherwise) {
+    const double size = std::sqrt(dot(n, n));
+    return size > 0 && std::isfinite(size) ? n / size : otherwise;
+}
+
+} // namespace
+
+void SceneBuilder::read_mesh(const Node& shape) {
+    const Node file = shape.at("file");
+    const std::string extension = extension_of(file.string());
+    if (extension != ".obj" && extension != ".gltf" && extension != ".glb")
+        file.fail_expected("a mesh file: .obj, .gltf or .glb");
+    const std::string bytes = read_named_file(file);
+    const std::filesystem::path path = folder_ / file.string();
+    Mesh mesh;
+    try {
+        if (extension == ".obj") {
+            mesh = parse_obj(bytes, path.string());
+        } else {
+            mesh = parse_gltf(bytes, path.string(), [&](const std::string& name) {
+                std::string part;
+                const std::string problem = read_file(path.parent_path() / name, part);
+                if (!problem.empty()) throw SceneError(path.string() + ": " + problem);
+                hash_.add(part);
+                return part;
+            });
+        }
+    } catch (const SceneError& error) {
+        file.fail(error.what());
+    }
+    for (const std::string& warning : mesh.warnings) scene_.warnings.push_back(warning);
+    if (scene_.triangles.size() + mesh.triangles.size() > max_triangles)
+        file.fail(fmt::format("the scene has more than {} triangles; use fewer or smaller meshes",
+                              max_triangles));
+    add_mesh(shape, mesh);
+}
+
+// The scene's material for each of the mesh's own, which are used where the shape names none.
+std::vector<int> SceneBuilder::add_mesh_materials(const Node& file, Mesh& mesh) {
+    std::vector<int> indices;
+    for (const MeshMaterial& own : mesh.materials) {
+        Material material;
+        material.reflectance = own.reflectance;
+        if (own.picture >= 0) { // one product per texel here instead of one per hit
+            Picture picture = mesh.pictures[own.picture];
+            for (Vec3& texel : picture.texels) texel *= own.reflectance;
+            material.texture = add_texture(std::move(picture), file);
+        }
+        indices.push_back(add_material(material, own.name));
+    }
+    return indices;
+}
+
+void SceneBuilder::add_mesh(const Node& shape, Mesh& mesh) {
+    const Node file = shape.at("file");
+    const auto named = shape.find("material");
+    const int material = named ? material_named(*named) : -1;
+    const std::vector<int> own = named ? std::vector<int>{} : add_mesh_materials(file, mesh);
+    const auto smooth_node = shape.find("smooth");
+    const bool flat = smooth_node && !smooth_node->boolean();
+    if (smooth_node && !flat &&
+        std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                    [](const MeshTriangle& t) { return t.normal[0] < 0; }))
+        compute_smooth_normals(mesh);
+
+    const Transform transform = read_transform(shape);
+    const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(transform.linear));
+    const int first = int(scene_.triangles.size());
+    int dropped = 0;
+    for (const MeshTriangle& source : mesh.triangles) {
+        if (!named && source.material < 0)
+            shape.fail("expected a key \"material\", since the mesh file gives none for all its "
+                       "triangles");
+        Triangle triangle{{}, {}, -1, {next_id_, named ? material : own[source.material], -1}};
+        // Which corner of the file becomes corner i: a mirrored mesh is turned over.
+        const int corner[3] = {0, transform.mirrors() ? 2 : 1, transform.mirrors() ? 1 : 2};
+        for (int i = 0; i < 3; ++i)
+            triangle.v[i] = transform.point(mesh.positions[source.position[corner[i]]]);
+        if (!set_normal(triangle)) {
+            ++dropped;
+            continue;
+        }
+        const bool textured = scene_.materials[triangle.tags.material].texture >= 0;
+        if (textured && source.uv[0] < 0)
+            (named ? *named : file)
+                .fail("the material has a texture, but the mesh has no texture "
+                      "coordinates; use a material without, or another mesh");
+        const bool smooth = !flat && source.normal[0] >= 0;
+        if (textured || smooth) {
+            TriangleCorners corners{{triangle.normal, triangle.normal, triangle.normal}, {}};
+            for (int i = 0; i < 3; ++i) {
+                if (smooth)
+                    corners.normal[i] =
+                        unit_or(normal_matrix * mesh.normals[source.normal[corner[i]]],
+                                DVec3(triangle.normal));
+                if (textured) corners.uv[i] = mesh.uvs[source.uv[corner[i]]];
+            }
+            triangle.corners = int(scene_.corners.size());
+            scene_.corners.push_back(corners);
+        }
+        ++next_id_;
+        scene_.triangles.push_back(triangle);
+    }
+    if (dropped > 0)
+        scene_.warnings.push_back(
+            fmt::format("{}: {} of {} triangles have no area or are not finite and are left out",
+                        file.place(), dropped, mesh.triangles.size()));
+    cut_into_runs(scene_.triangles, first, scene_.runs);
+}
+
+} // namespace raylab

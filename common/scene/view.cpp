@@ -1,0 +1,36 @@
+// The host scene's arrays as a kernel on the host sees them.
+#include "common/scene/scene.h"
+
+namespace raylab {
+namespace {
+
+template <class T> Array<T> array_of(const std::vector<T>& items) {
+    return {items.data(), int(items.size())};
+}
+
+} // namespace
+
+SceneView view(const Scene& scene) {
+    SceneView v;
+    v.camera = scene.camera;
+    v.spheres = array_of(scene.spheres);
+    v.quads = array_of(scene.quads);
+    v.planes = array_of(scene.planes);
+    v.triangles = array_of(scene.triangles);
+    v.runs = array_of(scene.runs);
+    v.corners = array_of(scene.corners);
+    v.materials = array_of(scene.materials);
+    v.lights = array_of(scene.lights);
+    v.textures = array_of(scene.textures);
+    v.texels = array_of(scene.texels);
+    v.environment = {scene.environment_radiance,
+                     scene.environment_light,
+                     scene.environment_width,
+                     scene.environment_height,
+                     array_of(scene.environment_map),
+                     array_of(scene.environment_row_cdf),
+                     array_of(scene.environment_column_cdf)};
+    return v;
+}
+
+} // namespace raylab
