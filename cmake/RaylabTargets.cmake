@@ -35,8 +35,11 @@ function(raylab_test name)
     cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LIBS;LABELS;OPTIONS" ${ARGN})
     find_package(GTest REQUIRED)
     add_executable(${name} ${arg_SOURCES})
-    target_link_libraries(${name} PRIVATE raylab_flags ${arg_LIBS} GTest::gtest GTest::gtest_main)
-    target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+    # Options of linked libraries come after a target's own: linked last, these have the last word.
+    add_library(${name}_options INTERFACE)
+    target_compile_options(${name}_options INTERFACE ${arg_OPTIONS})
+    target_link_libraries(${name} PRIVATE raylab_flags ${arg_LIBS} GTest::gtest GTest::gtest_main
+                          ${name}_options)
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
