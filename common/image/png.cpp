@@ -1,4 +1,4 @@
-// The formats for eyes and other programs, by stb: PNG and Radiance HDR.
+// PNG, for eyes, by stb.
 #include "common/image/display.h"
 #include "common/image/formats.h"
 
@@ -43,29 +43,6 @@ std::string encode_png(const Image& image, float exposure) {
     stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(),
                            3 * image.width);
     return bytes;
-}
-
-// RGBE holds neither negative nor non-finite values: both become 0.
-std::string formats::encode_hdr(const Image& image) {
-    std::vector<Vec3> clean = image.mean;
-    for (Vec3& v : clean)
-        for (int c = 0; c < 3; ++c) v[c] = std::isfinite(v[c]) && v[c] > 0 ? v[c] : 0.0f;
-    std::string bytes;
-    stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, &clean[0].x);
-    return bytes;
-}
-
-Image formats::decode_hdr(const std::string& bytes) {
-    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    Image image = sized_by_header(bytes);
-    if (!stbi_is_hdr_from_memory(data, static_cast<int>(bytes.size())))
-        throw std::runtime_error("it does not start with a Radiance header ('#?RADIANCE')");
-    int w = 0, h = 0, n = 0;
-    const Pixels pixels(stbi_loadf_from_memory(data, static_cast<int>(bytes.size()), &w, &h, &n, 3),
-                        stbi_image_free);
-    if (!pixels) damaged();
-    std::copy_n(static_cast<const Vec3*>(pixels.get()), image.pixels(), image.mean.begin());
-    return image;
 }
 
 Image formats::decode_png(const std::string& bytes) {
