@@ -1,6 +1,7 @@
 // raylab render LAB SCENE: an image and its ledger.
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "common/cli/files.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
@@ -47,8 +48,7 @@ ExitCode run_render(const RenderOptions& options) {
     const std::string output =
         options.output.empty() ? fmt::format("out/{}_{}.exr", scene.name, lab.number) : options.output;
     // What would fail at the end fails now, before the work.
-    prepare_output(output);
-    require_image_format(output);
+    prepare_image_output(output);
     if (!options.stats.empty()) prepare_output(options.stats);
     for (const std::string& warning : scene.warnings)
         if (!options.quiet) fmt::print(stderr, "warning: {}\n", warning);

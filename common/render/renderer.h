@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace raylab {
 
@@ -33,6 +34,9 @@ class Renderer {
 
     virtual Film film() const = 0; // so far, in host memory
     virtual Ledger ledger() const = 0;
+
+    // What became of each pixel's path in the last iteration, row by row.
+    virtual std::vector<PathRecord> records() const = 0;
 };
 
 struct Lab {

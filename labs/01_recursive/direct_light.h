@@ -3,6 +3,8 @@
 //     L = f(wo, wi) |cos(wi)| Le V / pdf,   V: does the feeler reach the light?
 #pragma once
 
+#include "common/geometry/offset.h"
+#include "common/sampling/mis.h"
 #include "common/transport/emission.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"

@@ -7,6 +7,7 @@
 // and the L on the right is this function again, one surface further on.
 #include "labs/01_recursive/tracer.h"
 
+#include "common/geometry/texture.h"
 #include "labs/01_recursive/direct_light.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"
@@ -29,9 +30,9 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
     //[ task 1.5
     const SceneView& scene = path.scene;
     const RenderSettings& settings = path.settings;
-    path.record.length = static_cast<std::uint16_t>(bounce + 1);
 
     const Hit hit = closest_hit(scene, ray);
+    record_hit(path.record, hit.id);
     if (!hit.found()) {
         path.record.end = PathEnd::escaped;
         return escaped_light<feature::all>(scene, settings.direct_light, ray, bsdf_pdf);
@@ -69,7 +70,7 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
     const float pdf = scattered.specular ? delta_pdf : scattered.pdf;
     return radiance + weight * trace_path(path, spawn_ray(surface, wi), bounce + 1, pdf, throughput);
     //| not_implemented("1.5", "trace_path()");
-    //| path.record = {1, 0, PathEnd::absorbed};
+    //| record_hit(path.record, -1);
     //| return Vec3(0);
     //]
 }

@@ -28,6 +28,7 @@ class RecursiveRenderer final : public Renderer {
   public:
     RecursiveRenderer(const Scene& scene, const MachineSettings& machine)
         : scene_(scene), view_(view(scene)), film_(scene.camera.width, scene.camera.height),
+          records_(film_.pixels.size()),
           ledger_(begin_ledger(scene, "01_recursive", "")),
           threads_(machine.threads > 0 ? machine.threads
                                        : static_cast<int>(std::thread::hardware_concurrency())) {
@@ -54,6 +55,7 @@ class RecursiveRenderer final : public Renderer {
     }
 
     Film film() const override { return film_; }
+    std::vector<PathRecord> records() const override { return records_; }
 
     Ledger ledger() const override {
         Ledger ledger = ledger_;
@@ -66,7 +68,8 @@ class RecursiveRenderer final : public Renderer {
         for (int y = y0; y < std::min(y0 + tile_size, film_.height); ++y)
             for (int x = x0; x < std::min(x0 + tile_size, film_.width); ++x) {
                 const int pixel = y * film_.width + x;
-                PathRecord record = {0, 0, PathEnd::depth};
+                PathRecord& record = records_[pixel];
+                record = {};
                 add_sample(film_.pixels[pixel], trace_pixel(x, y, pixel, record));
                 count(record, counts);
             }
@@ -107,6 +110,7 @@ class RecursiveRenderer final : public Renderer {
     const Scene& scene_;
     SceneView view_;
     Film film_;
+    std::vector<PathRecord> records_; // of the last iteration
     Ledger ledger_;
     int threads_;
     std::mutex mutex_;

@@ -5,8 +5,8 @@
 // asks twice. Rays form a tree: depth first comes by itself.
 #include "labs/01_recursive/tracer.h"
 
+#include "common/geometry/texture.h"
 #include "labs/01_recursive/direct_light.h"
-#include "labs/01_recursive/glass.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"
 
@@ -17,10 +17,10 @@ namespace raylab::lab01 {
 Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t node) {
     //[ task 1.4
     const SceneView& scene = path.scene;
-    path.record.length += path.record.length < 65535;
     path.record.end = PathEnd::absorbed;
 
     const Hit hit = closest_hit(scene, ray);
+    record_hit(path.record, hit.id);
     if (!hit.found())
         return escaped_light<feature::all>(scene, DirectLight::light, ray, delta_pdf);
     const SurfacePoint surface = surface_at<feature::all>(scene, ray, hit);
@@ -46,6 +46,7 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
     }
     return radiance;
     //| not_implemented("1.4", "trace_whitted()");
+    //| record_hit(path.record, -1);
     //| return Vec3(0);
     //]
 }

@@ -7,6 +7,7 @@
 // anything yet, and what each surface gives is added times it.
 #pragma once
 
+#include "common/geometry/texture.h"
 #include "common/task/not_implemented.h"
 #include "common/transport/direct_light.h"
 
@@ -38,13 +39,12 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
     Vec3 radiance(0);             // what the path has collected
     Vec3 throughput(1);           // what is left of light that joins it from here on
     float bsdf_pdf = delta_pdf;   // density of the direction of `ray`
-    record = {0, 0, PathEnd::depth};
+    record = {};
 
     for (int bounce = 0; bounce < settings.max_depth; ++bounce) {
-        record.length = static_cast<std::uint16_t>(bounce + 1);
-
         // 1. The closest surface, or the sky.
         const Hit hit = intersect<F>(scene, ray);
+        record_hit(record, hit.id);
         if (!hit.found()) {
             radiance += throughput * escaped_light<F>(scene, settings.direct_light, ray, bsdf_pdf);
             record.end = PathEnd::escaped;
@@ -83,7 +83,7 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
     }
     return radiance;
     //| not_implemented("2.1", "trace_path()");
-    //| record = {1, 0, PathEnd::absorbed};
+    //| record_hit(record, -1);
     //| return Vec3(0);
     //]
 }

@@ -91,6 +91,8 @@ class IterativeRenderer final : public Renderer {
         return film;
     }
 
+    std::vector<PathRecord> records() const override { return records_.to_host(); }
+
     Ledger ledger() const override;
 
   private:

@@ -6,6 +6,7 @@
 // one ray a level.
 #pragma once
 
+#include "common/geometry/texture.h"
 #include "common/scene/settings.h"
 #include "common/task/not_implemented.h"
 #include "common/transport/direct_light.h"
@@ -42,13 +43,13 @@ HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings, co
     PendingRay stack[max_whitted_depth + 1];
     int pending = 0;
     stack[pending++] = {camera_ray, Vec3(1), 0, 1};
-    record = {0, 0, PathEnd::absorbed};
+    record = {};
+    record.end = PathEnd::absorbed;
 
     while (pending > 0) {
         const PendingRay now = stack[--pending];
-        record.length += record.length < 65535;
-
         const Hit hit = intersect<F>(scene, now.ray);
+        record_hit(record, hit.id);
         if (!hit.found()) {
             radiance += now.throughput *
                         escaped_light<F>(scene, DirectLight::light, now.ray, delta_pdf);
@@ -79,7 +80,7 @@ HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings, co
     }
     return radiance;
     //| not_implemented("2.1", "trace_whitted()");
-    //| record = {1, 0, PathEnd::absorbed};
+    //| record_hit(record, -1);
     //| return Vec3(0);
     //]
 }

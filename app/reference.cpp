@@ -1,0 +1,79 @@
+// raylab reference: the images that others are judged against, each with its own standard error.
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/replicates.h"
+#include "common/cli/files.h"
+#include "common/cli/progress.h"
+#include "common/image/image_file.h"
+#include "common/scene/load.h"
+
+#include <fmt/format.h>
+
+namespace raylab::app {
+
+namespace {
+
+struct ReferenceOptions {
+    std::vector<std::string> scenes;
+    std::string lab = "02", folder = "scenes/references";
+    int spp = 0, replicates = 32;
+    std::uint32_t seed = 0x5eed0000;
+    MachineSettings machine;
+};
+
+// 64 times the scene's own samples, in replicates with seeds of their own.
+void make_reference(const ReferenceOptions& options, const std::string& name) {
+    ReplicateJob job = {&find_lab(options.lab), load_scene(find_scene(name)), options.machine,
+                        options.seed};
+    const int total = options.spp > 0 ? options.spp : 64 * job.scene.render.spp;
+    job.scene.render.spp = std::max(1, total / options.replicates);
+    const std::string path = fmt::format("{}/{}.exr", options.folder, job.scene.name);
+    prepare_image_output(path);
+
+    ReplicateMean mean;
+    double seconds = 0;
+    Progress progress(job.scene.name, options.replicates, "samples",
+                      double(job.scene.render.spp) * job.scene.camera.width * job.scene.camera.height);
+    for (int r = 0; r < options.replicates; ++r) {
+        mean.add(render_replicate(job, r, &seconds));
+        progress.update(r + 1);
+    }
+    Image image = mean.mean();
+    image.provenance.seed = options.seed;
+    write_image(image, path);
+    double error = 0, level = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        error += image.variance[i].y;
+        level += image.mean[i].y;
+    }
+    const double pixels = static_cast<double>(image.pixels());
+    fmt::print("{}: {} spp, mean {:.5g}, standard error of a pixel {:.2g} (rms, green), {}\n", path,
+               image.provenance.spp, level / pixels, std::sqrt(error / pixels),
+               human_duration(progress.seconds()));
+}
+
+} // namespace
+
+Run add_reference(CLI::App& app) {
+    auto options = std::make_shared<ReferenceOptions>();
+    app.description("Render reference images: many samples, variance per pixel from replicates, "
+                    "provenance inside.");
+    app.add_option("SCENES", options->scenes, "scenes (default: all bundled)");
+    app.add_option("--lab", options->lab, "the lab that renders")->capture_default_str();
+    app.add_option("-o,--output", options->folder, "folder")->capture_default_str();
+    app.add_option("--spp", options->spp, "samples a pixel in all (default: 64 times the scene's)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--replicates", options->replicates, "independent renders to share them")
+        ->check(CLI::Range(2, 1024))
+        ->capture_default_str();
+    app.add_option("--seed", options->seed, "seed of the first replicate");
+    add_machine_options(app, options->machine);
+    app.footer("Examples:\n  raylab reference cornell\n  raylab reference --spp 65536 whitted");
+    return [options] {
+        if (options->scenes.empty()) options->scenes = bundled_scenes();
+        for (const std::string& scene : options->scenes) make_reference(*options, scene);
+        return ExitCode::success;
+    };
+}
+
+} // namespace raylab::app
