@@ -1,0 +1,283 @@
+// The scheduler of one block; see block.h.
+#include "common/simt/engine/block.h"
+
+#include "common/simt/collectives.h"
+#include "common/simt/engine/report.h"
+#include "common/simt/engine/switch.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <numeric>
+
+namespace raylab::simt {
+
+constinit thread_local Block* current_block = nullptr;
+
+Block::Block(const Options& options) : options_(options), fibers_(options.stack_size) {}
+
+bool Block::run(const Work& work, uint3 index) {
+    begin(work, index);
+    home_ = native_fiber();
+    if (one_stack_per_thread && !fibers_.reserve(size_t(count_))) {
+        fault_ = Report(*this).no_stacks();
+        return false;
+    }
+    Block* outer = std::exchange(current_block, this);
+    current_ = fibers_.take();
+    if (current_)
+        switch_fiber(home_, *current_);
+    else
+        fault_ = Report(*this).no_stacks();
+    current_block = outer;
+    if (fault_.empty()) return true;
+    fibers_.reclaim();
+    return false;
+}
+
+void Block::begin(const Work& work, uint3 index) {
+    work_ = &work;
+    blockIdx = index;
+    blockDim = work.launch.block;
+    gridDim = work.launch.grid;
+    if (blockDim.x != shape_.x || blockDim.y != shape_.y || blockDim.z != shape_.z) {
+        shape_ = blockDim;
+        count_ = 0;
+        for (unsigned z = 0; z < shape_.z; ++z)
+            for (unsigned y = 0; y < shape_.y; ++y)
+                for (unsigned x = 0; x < shape_.x; ++x) index_[count_++] = {x, y, z};
+        std::iota(order_.begin(), order_.begin() + count_, 0);
+        if (options_.order == Order::reverse) std::reverse(order_.begin(), order_.begin() + count_);
+    }
+    if (options_.order == Order::random) {
+        uint64_t number = (uint64_t(index.z) * gridDim.y + index.y) * gridDim.x + index.x;
+        random_.seed(unsigned(options_.seed * 0x9e3779b97f4a7c15u + number));
+        std::shuffle(order_.begin(), order_.begin() + count_, random_);
+    }
+    std::memset(status_.data(), int(Status::fresh), size_t(count_));
+    started_ = waiting_ = first_ready_ = ready_count_ = arrived_ = votes_ = 0;
+    same_site_ = true;
+    in_operation_.fill(0);
+    converging_.fill(0);
+    fault_.clear();
+    size_t units = (work.launch.shared_bytes + sizeof(float4) - 1) / sizeof(float4);
+    // In a check build exactly what was asked for, so that its end is known, and full of NaNs.
+    if (check_build ? shared_.size() != units : shared_.size() < units)
+        std::vector<float4>(units).swap(shared_);
+    if (check_build && units) std::memset(shared_.data(), 0xff, units * sizeof(float4));
+}
+
+void Block::stack_main() {
+    Fiber* const self = current_;
+    enter_fiber();
+    for (;;) {
+        int thread = order_[started_++];
+        go_on(thread);
+        work_->thread_main(work_->arguments);
+        status_[thread] = Status::ended;
+        announce_release(work_->finished);
+        if (!one_stack_per_thread && ready_count_ == 0 && started_ < count_) continue;
+
+        Fiber* next = next_fiber();
+        if (!one_stack_per_thread) fibers_.give(self);
+        switch_fiber(*self, *next, true);
+    }
+}
+
+void Block::go_on(int thread) {
+    running_ = thread;
+    status_[thread] = Status::running;
+    threadIdx = index_[thread];
+}
+
+// The one that runs next: a thread that is ready, else the next one to start, else, when all are
+// done or no one can go on, home.
+Fiber* Block::next_fiber() {
+    if (ready_count_ == 0 && started_ == count_ && !release_converged()) {
+        if (waiting_ > 0) fault_ = Report(*this).stuck();
+        return &home_;
+    }
+    if (ready_count_ > 0) {
+        int thread = ready_[first_ready_];
+        first_ready_ = (first_ready_ + 1) % max_threads;
+        --ready_count_;
+        go_on(thread);
+        return current_ = waiters_[thread].fiber;
+    }
+    if (Fiber* fresh = fibers_.take()) return current_ = fresh;
+    fault_ = Report(*this).no_stacks();
+    return &home_;
+}
+
+// Lets the others run until the running thread is ready again.
+void Block::suspend() {
+    Fiber* self = current_;
+    Fiber* next = next_fiber();
+    if (next != self) switch_fiber(*self, *next);
+}
+
+void Block::arrive(Wait kind, const Site& site) {
+    Waiter& waiter = waiters_[running_];
+    waiter.fiber = current_;
+    waiter.site = &site;
+    waiter.kind = kind;
+    status_[running_] = Status::waiting;
+    ++waiting_;
+}
+
+// Appends threads to those that are ready, in this order, or in any order if it is to be random.
+void Block::make_ready(uint16_t* threads, int count) {
+    if (options_.order == Order::random) std::shuffle(threads, threads + count, random_);
+    for (int i = 0; i < count; ++i)
+        ready_[(first_ready_ + ready_count_++) % max_threads] = threads[i];
+    waiting_ -= count;
+}
+
+int Block::sync_block(const Site& site, int predicate) {
+    void* meeting = block_meeting_.now();
+    announce_release(meeting);
+    arrive(Wait::block, site);
+    same_site_ &= arrived_ == 0 || waiters_[arrivals_[0]].site == &site;
+    votes_ += predicate;
+    arrivals_[arrived_++] = uint16_t(running_);
+    if (arrived_ == count_ && same_site_) {
+        result_ = std::exchange(votes_, 0);
+        make_ready(arrivals_.data(), std::exchange(arrived_, 0));
+        block_meeting_.turn ^= 1;
+    }
+    suspend();
+    announce_acquire(meeting);
+    // The next barrier cannot complete, and change it, before this thread arrives there.
+    return result_;
+}
+
+// The lanes of a warp that the block has threads for; the last warp may be a part of one.
+unsigned Block::existing(int warp) const {
+    int left = count_ - warp * lanes;
+    return left >= lanes ? ~0u : (1u << left) - 1;
+}
+
+uint64_t Block::warp_operation(Wait kind, const Site& site, unsigned mask, uint64_t value,
+                               int source) {
+    int warp = running_ / lanes, lane = running_ % lanes;
+    Waiter& waiter = waiters_[running_];
+    if (!(mask >> lane & 1)) give_up(Report(*this).not_in_mask(site, mask));
+
+    unsigned members = mask & existing(warp);
+    Meeting& meeting = warp_meetings_[warp * lanes + std::countr_zero(members)];
+    void* point = meeting.now();
+    announce_release(point);
+    arrive(kind, site);
+    waiter.mask = mask;
+    waiter.value = value;
+    waiter.source = source;
+    in_operation_[warp] |= 1u << lane;
+    if ((in_operation_[warp] & members) == members && agree(warp, members)) {
+        complete(warp, members);
+        meeting.turn ^= 1;
+    }
+    suspend();
+    announce_acquire(point);
+    return waiter.value;
+}
+
+// Whether these lanes, all waiting, wait for each other.
+bool Block::agree(int warp, unsigned members) const {
+    const Waiter& first = waiters_[warp * lanes + std::countr_zero(members)];
+    for (unsigned rest = members; rest; rest &= rest - 1)
+        if (!meet(first, waiters_[warp * lanes + std::countr_zero(rest)])) return false;
+    return true;
+}
+
+// Hands every lane what it gets, and makes it ready.
+void Block::complete(int warp, unsigned members) {
+    Waiter* warp_waiters = &waiters_[warp * lanes];
+    uint64_t brought[lanes], ballot = 0;
+    uint16_t threads[lanes];
+    int count = 0;
+    for (int turn = 0; turn < lanes; ++turn) {
+        int lane = options_.order == Order::reverse ? lanes - 1 - turn : turn;
+        if (!(members >> lane & 1)) continue;
+        threads[count++] = uint16_t(warp * lanes + lane);
+        brought[lane] = warp_waiters[lane].value;
+        ballot |= uint64_t(brought[lane] != 0) << lane;
+    }
+    for (int i = 0; i < count; ++i) {
+        Waiter& waiter = waiters_[threads[i]];
+        if (waiter.kind == Wait::vote) waiter.value = ballot;
+        if (waiter.kind == Wait::shuffle)
+            waiter.value = members >> waiter.source & 1 ? brought[waiter.source] : ~uint64_t(0);
+    }
+    in_operation_[warp] &= ~members;
+    make_ready(threads, count);
+}
+
+// No one can go on, except those who only want to know who is with them: in each warp the lanes at
+// the place of the first one are together.
+bool Block::release_converged() {
+    bool released = false;
+    for (int warp = 0; warp * lanes < count_; ++warp) {
+        unsigned waiting = converging_[warp], together = 0;
+        if (!waiting) continue;
+        const Site* site = waiters_[warp * lanes + std::countr_zero(waiting)].site;
+        uint16_t threads[lanes];
+        int count = 0;
+        for (unsigned rest = waiting; rest; rest &= rest - 1) {
+            int thread = warp * lanes + std::countr_zero(rest);
+            if (waiters_[thread].site != site) continue;
+            threads[count++] = uint16_t(thread);
+            together |= rest & -rest;
+        }
+        for (int i = 0; i < count; ++i) waiters_[threads[i]].value = together;
+        converging_[warp] &= ~together;
+        make_ready(threads, count);
+        released = true;
+    }
+    return released;
+}
+
+unsigned Block::active_mask(const Site& site) {
+    Waiter& waiter = waiters_[running_];
+    arrive(Wait::converge, site);
+    converging_[running_ / lanes] |= 1u << running_ % lanes;
+    suspend();
+    return unsigned(waiter.value);
+}
+
+void Block::give_up(std::string fault) {
+    fault_ = std::move(fault);
+    switch_fiber(*current_, home_, true);
+    __builtin_unreachable();
+}
+
+void Block::trap(const Site& site) { give_up(Report(*this).trapped(site)); }
+
+std::string Block::running() const { return Report(*this).running(); }
+
+// The operations of collectives.h, for whichever block the caller belongs to.
+
+static Block& block_at(const Site& site) {
+    if (!current_block) end_with_message(outside_of_kernel(site));
+    return *current_block;
+}
+
+int sync_block(const Site& site, int predicate) {
+    return block_at(site).sync_block(site, predicate);
+}
+void sync_warp(const Site& site, unsigned mask) {
+    block_at(site).warp_operation(Wait::warp, site, mask, 0, 0);
+}
+unsigned vote(const Site& site, unsigned mask, int predicate) {
+    return unsigned(block_at(site).warp_operation(Wait::vote, site, mask, predicate != 0, 0));
+}
+uint64_t shuffle(const Site& site, unsigned mask, uint64_t value, int source) {
+    return block_at(site).warp_operation(Wait::shuffle, site, mask, value, source);
+}
+unsigned active_mask(const Site& site) { return block_at(site).active_mask(site); }
+void trap(const Site& site) { block_at(site).trap(site); }
+
+void* dynamic_shared_memory() { return current_block ? current_block->shared() : nullptr; }
+
+} // namespace raylab::simt
+
+extern "C" void raylab_simt_main() { raylab::simt::current_block->stack_main(); }

@@ -1,0 +1,137 @@
+// Fibers and their stacks; see fiber.h.
+#include "common/simt/engine/fiber.h"
+
+#include "common/simt/engine/switch.h"
+
+#include <cstdlib>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace raylab::simt {
+
+#if defined(RAYLAB_CHECK_ADDRESS)
+
+void switch_fiber(Fiber& from, Fiber& to, bool from_ends) {
+    __sanitizer_start_switch_fiber(from_ends ? nullptr : &from.announced, to.bottom, to.bytes);
+    raylab_simt_switch(&from.context, to.context);
+    __sanitizer_finish_switch_fiber(from.announced, nullptr, nullptr);
+}
+
+void enter_fiber() { __sanitizer_finish_switch_fiber(nullptr, nullptr, nullptr); }
+
+Fiber native_fiber() {
+    Fiber fiber;
+    void* bottom = nullptr;
+    pthread_attr_t attributes;
+    pthread_getattr_np(pthread_self(), &attributes);
+    pthread_attr_getstack(&attributes, &bottom, &fiber.bytes);
+    pthread_attr_destroy(&attributes);
+    fiber.bottom = static_cast<char*>(bottom);
+    return fiber;
+}
+
+#elif defined(RAYLAB_CHECK_THREAD)
+
+// Without synchronisation: that the engine runs A before B means nothing in the kernel.
+void switch_fiber(Fiber& from, Fiber& to, bool) {
+    __tsan_switch_to_fiber(to.announced, __tsan_switch_to_fiber_no_sync);
+    raylab_simt_switch(&from.context, to.context);
+}
+
+void enter_fiber() {}
+
+Fiber native_fiber() {
+    Fiber fiber;
+    fiber.announced = __tsan_get_current_fiber();
+    return fiber;
+}
+
+#else
+
+void switch_fiber(Fiber& from, Fiber& to, bool) { raylab_simt_switch(&from.context, to.context); }
+void enter_fiber() {}
+Fiber native_fiber() { return {}; }
+
+#endif
+
+static size_t page_bytes() {
+    static const size_t bytes = size_t(sysconf(_SC_PAGESIZE));
+    return bytes;
+}
+
+#if defined(RAYLAB_CHECK_THREAD)
+
+// When malloc hands out memory, ThreadSanitizer forgets who used it before.
+static char* allocate_stack(size_t bytes) { return static_cast<char*>(std::malloc(bytes)); }
+static void free_stack(char* bottom, size_t) { std::free(bottom); }
+static void* announce_fiber() { return __tsan_create_fiber(0); }
+static void revoke_fiber(void* fiber) { __tsan_destroy_fiber(fiber); }
+
+#else
+
+static char* allocate_stack(size_t bytes) {
+    size_t guard = page_bytes();
+    void* memory = mmap(nullptr, guard + bytes, PROT_READ | PROT_WRITE,
+                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
+    if (memory == MAP_FAILED) return nullptr;
+    if (mprotect(memory, guard, PROT_NONE) != 0) {
+        munmap(memory, guard + bytes);
+        return nullptr;
+    }
+    return static_cast<char*>(memory) + guard;
+}
+static void free_stack(char* bottom, size_t bytes) {
+    munmap(bottom - page_bytes(), page_bytes() + bytes);
+}
+static void* announce_fiber() { return nullptr; }
+static void revoke_fiber(void*) {}
+
+#endif
+
+FiberPool::FiberPool(size_t stack_bytes)
+    : stack_bytes_((stack_bytes + page_bytes() - 1) / page_bytes() * page_bytes()) {}
+
+FiberPool::~FiberPool() {
+    for (auto& fiber : all_) {
+        allow(fiber->bottom, fiber->bytes);
+        revoke_fiber(fiber->announced);
+        free_stack(fiber->bottom, fiber->bytes);
+    }
+}
+
+bool FiberPool::add() {
+    char* bottom = allocate_stack(stack_bytes_);
+    if (!bottom) return false;
+    // All stacks are aligned alike, and the frames at their tops would compete for the same few
+    // cache lines. So each starts a little lower than the one before it.
+    size_t stagger = all_.size() % 25 * 5 * 64;
+    all_.push_back(std::make_unique<Fiber>());
+    *all_.back() = {nullptr, bottom, stack_bytes_, bottom + stack_bytes_ - stagger,
+                    announce_fiber()};
+    free_.push_back(all_.back().get());
+    return true;
+}
+
+bool FiberPool::reserve(size_t count) {
+    while (free_.size() < count)
+        if (!add()) return false;
+    return true;
+}
+
+Fiber* FiberPool::take() {
+    if (!reserve(1)) return nullptr;
+    Fiber* fiber = free_.back();
+    free_.pop_back();
+    fiber->context = raylab_simt_prepare(fiber->top, size_t(fiber->top - fiber->bottom));
+    return fiber;
+}
+
+void FiberPool::reclaim() {
+    free_.clear();
+    for (auto& fiber : all_) {
+        allow(fiber->bottom, fiber->bytes);
+        free_.push_back(fiber.get());
+    }
+}
+
+} // namespace raylab::simt

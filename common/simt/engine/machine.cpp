@@ -1,0 +1,194 @@
+// Launches, options and the error state; see machine.h and launch.h.
+#include "common/simt/engine/machine.h"
+
+#include "common/simt/engine/memory.h"
+#include "common/simt/engine/report.h"
+#include "common/simt/engine/workers.h"
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+namespace raylab::simt {
+
+namespace {
+
+constexpr size_t usual_shared = 48 << 10, most_shared = 99 << 10; // bytes a block may have
+
+// CUDA's runtime is one for the whole process, and so is this.
+struct Machine {
+    std::mutex launching; // one launch at a time
+    Options options;
+    std::unique_ptr<Workers> workers; // made by the first launch after the options were set
+
+    std::mutex state;
+    cudaError_t last_error = cudaSuccess, sticky = cudaSuccess;
+    std::string report;
+    std::map<const void*, size_t> shared_limits;
+};
+
+Machine& machine() {
+    static Machine machine;
+    return machine;
+}
+
+void note(cudaError_t code, const std::string& report) {
+    machine().last_error = code;
+    machine().report = report;
+    if (machine().options.print_reports) std::fputs((report + "\n").c_str(), stderr);
+}
+
+// "f.cu:12: error: kernel k cannot be launched: " and what is wrong, or nothing.
+struct Refusal {
+    cudaError_t code = cudaSuccess;
+    std::string text;
+};
+Refusal check_configuration(const Launch& launch) {
+    auto refusal = [&](cudaError_t code, const std::string& text) {
+        return Refusal{code, place(launch.file, launch.line) + ": error: kernel " + launch.kernel +
+                                 " cannot be launched: " + text};
+    };
+    const dim3 &grid = launch.grid, &block = launch.block;
+    std::string shape = "the grid is " + to_string(grid) + " blocks of " + to_string(block) +
+                        " threads\n  expected: ";
+    if (!grid.x || !grid.y || !grid.z || !block.x || !block.y || !block.z)
+        return refusal(cudaErrorInvalidConfiguration,
+                       shape + "every extent is at least 1\n  to do: do not launch if there is "
+                               "nothing to do");
+    if (uint64_t(block.x) * block.y * block.z > max_threads || block.z > 64)
+        return refusal(cudaErrorInvalidConfiguration,
+                       shape + "a block has at most 1024 threads, and at most 64 in z");
+    if (grid.x > 0x7fffffffu || grid.y > 0xffff || grid.z > 0xffff)
+        return refusal(cudaErrorInvalidConfiguration,
+                       shape + "a grid has at most 2147483647 x 65535 x 65535 blocks");
+    if (size_t limit = shared_limit(launch.function); launch.shared_bytes > limit)
+        return refusal(cudaErrorInvalidValue,
+                       std::to_string(launch.shared_bytes) +
+                           " bytes of dynamic shared memory\n  expected: at most " +
+                           std::to_string(limit) +
+                           "\n  to do: use less, or ask for up to 101376 with "
+                           "cudaFuncSetAttribute(kernel, "
+                           "cudaFuncAttributeMaxDynamicSharedMemorySize, bytes)");
+    return {};
+}
+
+} // namespace
+
+cudaError_t refuse(cudaError_t code, const std::string& report) {
+    std::lock_guard lock(machine().state);
+    note(code, report);
+    return code;
+}
+
+void remember_fault(cudaError_t code, const std::string& report) {
+    std::lock_guard lock(machine().state);
+    machine().sticky = code;
+    note(code, report);
+}
+
+cudaError_t sticky_error() {
+    std::lock_guard lock(machine().state);
+    return machine().sticky;
+}
+
+size_t shared_limit(const void* kernel) {
+    std::lock_guard lock(machine().state);
+    if (!kernel) return most_shared; // chosen by the call: there is no one to ask
+    auto found = machine().shared_limits.find(kernel);
+    return found == machine().shared_limits.end() ? usual_shared : found->second;
+}
+
+cudaError_t set_attribute(const void* kernel, cudaFuncAttribute attribute, int value) {
+    if (attribute != cudaFuncAttributeMaxDynamicSharedMemorySize) return cudaSuccess;
+    if (value < 0 || size_t(value) > most_shared)
+        return refuse(cudaErrorInvalidValue,
+                      "error: cudaFuncSetAttribute(): " + std::to_string(value) +
+                          " bytes of shared memory\n  expected: 0 to " +
+                          std::to_string(most_shared));
+    std::lock_guard lock(machine().state);
+    machine().shared_limits[kernel] = size_t(value);
+    return cudaSuccess;
+}
+
+void forget_errors_and_limits() {
+    std::lock_guard lock(machine().state);
+    machine().last_error = machine().sticky = cudaSuccess;
+    machine().report.clear();
+    machine().shared_limits.clear();
+}
+
+int worker_count() {
+    if (check_build) return 1;
+    if (machine().options.threads > 0) return machine().options.threads;
+    return std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+void set_options(const Options& options) {
+    if (options.threads < 0 || options.threads > 1024)
+        throw std::invalid_argument("Options::threads is " + std::to_string(options.threads) +
+                                    ": expected 0 (all) to 1024");
+    if (options.stack_size < 16 << 10)
+        throw std::invalid_argument("Options::stack_size is " + std::to_string(options.stack_size) +
+                                    ": expected at least 16384 bytes");
+    std::lock_guard lock(machine().launching);
+    machine().options = options;
+    machine().workers.reset();
+}
+
+Options options() {
+    std::lock_guard lock(machine().launching);
+    return machine().options;
+}
+
+std::string last_report() {
+    std::lock_guard lock(machine().state);
+    return machine().report;
+}
+
+bool check_argument(const Launch& launch, int index, const void* pointer) {
+    if (!pointer || look_up(pointer).known || sticky_error() != cudaSuccess) return true;
+    remember_fault(cudaErrorIllegalAddress,
+                   place(launch.file, launch.line) + ": error: kernel " + launch.kernel +
+                       " is given a host pointer as argument " + std::to_string(index) +
+                       "\n  expected: a pointer from cudaMalloc() that was not freed\n  to do: "
+                       "copy the data to device memory with cudaMemcpy() and give that");
+    return false;
+}
+
+void run(const Launch& launch, void (*thread_main)(const void*), const void* arguments) {
+    if (sticky_error() != cudaSuccess) return;
+    if (current_block) {
+        refuse(cudaErrorNotSupported, place(launch.file, launch.line) + ": error: " +
+                                          current_block->running() + ", launches " + launch.kernel +
+                                          "\n  expected: kernels are launched by host code");
+        return;
+    }
+    if (Refusal refusal = check_configuration(launch); refusal.code != cudaSuccess) {
+        refuse(refusal.code, refusal.text);
+        return;
+    }
+    std::lock_guard lock(machine().launching);
+    if (!machine().workers)
+        machine().workers = std::make_unique<Workers>(machine().options, worker_count());
+    auto finished = std::make_unique<char>();
+    DeviceAccess access;
+    std::string fault = machine().workers->run({launch, thread_main, arguments, finished.get()});
+    announce_acquire(finished.get());
+    if (!fault.empty()) remember_fault(cudaErrorLaunchFailure, fault);
+}
+
+} // namespace raylab::simt
+
+cudaError_t cudaPeekAtLastError() {
+    std::lock_guard lock(raylab::simt::machine().state);
+    return raylab::simt::machine().last_error;
+}
+
+cudaError_t cudaGetLastError() {
+    std::lock_guard lock(raylab::simt::machine().state);
+    auto& machine = raylab::simt::machine();
+    return std::exchange(machine.last_error, machine.sticky);
+}

@@ -1,0 +1,115 @@
+// k<<<grid, block, shared, stream>>>(args) is, after the rewriter,
+//
+//     ::raylab::simt::launcher(RAYLAB_KERNEL(k), grid, block, shared, stream)(args)
+//
+// The launcher is typed on the parameters of k, so that args convert as in a call: a literal 0
+// becomes a null pointer. Where k names no single function, because its template arguments are to
+// be deduced from args, or it is overloaded, the call itself chooses, with the types args have.
+//
+// A launch returns when the kernel has finished. Its errors are those of CUDA: cudaGetLastError().
+#pragma once
+
+#include "common/simt/index.h"
+#include "common/simt/runtime.h"
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace raylab::simt {
+
+// Everything about a launch but the kernel's arguments.
+struct Launch {
+    const char* kernel; // as written at the launch, "reduce<256>"
+    const char* file;   // where it is launched
+    int line;
+    const void* function; // null where the call chooses among several
+    dim3 grid, block;
+    size_t shared_bytes; // dynamic shared memory
+};
+
+// Runs thread_main(arguments) once for each CUDA thread of the launch.
+void run(const Launch& launch, void (*thread_main)(const void*), const void* arguments);
+
+// Notes a fault if `pointer`, which argument `index` passes to the kernel, is neither null nor
+// device memory, and returns whether the launch may go on.
+bool check_argument(const Launch& launch, int index, const void* pointer);
+
+// The current block's dynamic shared memory, aligned to 16 bytes.
+void* dynamic_shared_memory();
+
+template <class T> inline T* dynamic_shared() { return static_cast<T*>(dynamic_shared_memory()); }
+
+template <class T>
+inline bool check_argument_value(const Launch& launch, int index, const T& value) {
+    if constexpr (std::is_pointer_v<T> && !std::is_function_v<std::remove_pointer_t<T>>)
+        return check_argument(launch, index,
+                              const_cast<const void*>(static_cast<const volatile void*>(value)));
+    return true;
+}
+
+// Runs call(args...) in each CUDA thread; every thread gets its own copies, as kernel parameters.
+template <class Call, class... Args>
+inline void run_with(const Launch& launch, Call call, const Args&... args) {
+    static_assert((std::is_trivially_copyable_v<Args> && ...),
+                  "kernel arguments are copied to the GPU byte by byte: pass plain structs");
+    int index = 0;
+    if (!(check_argument_value(launch, ++index, args) && ...)) return;
+    auto closure = [&] { call(args...); };
+    run(
+        launch, [](const void* self) { (*static_cast<const decltype(closure)*>(self))(); },
+        &closure);
+}
+
+// A kernel that is one function: the arguments convert to its parameter types.
+template <class... Params> struct FunctionLauncher {
+    Launch launch;
+    void (*kernel)(Params...);
+    void operator()(Params... params) const {
+        run_with(
+            launch, [this](const Params&... p) { kernel(p...); }, params...);
+    }
+};
+
+// A kernel that the call chooses.
+template <class Call> struct CallLauncher {
+    Launch launch;
+    Call call;
+    template <class... Args> void operator()(Args... args) const {
+        run_with(
+            launch, [this](Args... a) { call(a...); }, args...);
+    }
+};
+
+struct ToFunctionPointer {
+    template <class... Params> auto operator()(void (*kernel)(Params...)) const { return kernel; }
+};
+
+struct KernelPlace {
+    const char *name, *file;
+    int line;
+};
+
+// `by_pointer` hands the kernel to its argument, `by_call` calls the kernel with its arguments.
+template <class ByPointer, class ByCall>
+inline auto launcher(ByPointer by_pointer, ByCall by_call, KernelPlace place, dim3 grid, dim3 block,
+                     size_t shared_bytes = 0, cudaStream_t = nullptr) {
+    Launch launch{place.name, place.file, place.line, nullptr, grid, block, shared_bytes};
+    if constexpr (std::is_invocable_v<ByPointer, ToFunctionPointer>) {
+        auto kernel = by_pointer(ToFunctionPointer{});
+        launch.function = reinterpret_cast<const void*>(kernel);
+        return [&]<class... Params>(void (*)(Params...)) {
+            return FunctionLauncher<Params...>{launch, kernel};
+        }(kernel);
+    } else {
+        return CallLauncher<ByCall>{launch, by_call};
+    }
+}
+
+} // namespace raylab::simt
+
+#define RAYLAB_KERNEL(...)                                                                         \
+    [&](auto use) -> decltype(use(__VA_ARGS__)) { return use(__VA_ARGS__); },                      \
+        [&](auto... args) { __VA_ARGS__(args...); }, ::raylab::simt::KernelPlace {                 \
+#__VA_ARGS__, __FILE__, __LINE__                                                           \
+    }

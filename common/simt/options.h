@@ -1,0 +1,30 @@
+// How the CPU machine runs kernels. A correct kernel gives the same result under all of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace raylab::simt {
+
+// In which order threads of a block, and blocks of a grid, get their turn.
+enum class Order { forward, reverse, random };
+
+struct Options {
+    int threads = 0; // worker threads; 0: as many as the hardware runs at once
+    Order order = Order::forward;
+    uint64_t seed = 1;                   // of Order::random
+    size_t stack_size = size_t(1) << 18; // bytes for each CUDA thread that has to wait
+    bool print_reports = true;           // write reports to stderr the moment they are made
+};
+
+// Holds from the next launch on. Throws std::invalid_argument, naming the field, for threads < 0 or
+// a stack below 16 KiB. Not while a kernel runs.
+void set_options(const Options& options);
+Options options();
+
+// The text of the latest fault or refused launch: what, where, what was expected, what to do. Empty
+// if there was none since the start or the last cudaDeviceReset().
+std::string last_report();
+
+} // namespace raylab::simt
