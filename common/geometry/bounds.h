@@ -27,16 +27,17 @@ struct SlabRay {
     Vec3 inv_d;
     bool negative[3];
 
-    HD explicit SlabRay(const Ray& ray)
-        : o(ray.o), inv_d(1.0f / ray.d.x, 1.0f / ray.d.y, 1.0f / ray.d.z),
-          negative{inv_d.x < 0, inv_d.y < 0, inv_d.z < 0} {} // 1 / -0 = -inf
+    HD explicit SlabRay(const Ray& ray) : o(ray.o), inv_d(1.0f / ray.d) {
+        for (int axis = 0; axis < 3; ++axis) negative[axis] = (&inv_d.x)[axis] < 0; // 1 / -0 = -inf
+    }
 };
 
 // Does the ray cross the box somewhere in [0, t_max]? May say yes to a near miss, never no to a hit.
 //
-// Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in a
-// face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as
-// it was. The far value is widened by 2 gamma(3), the rounding error of (face - o) * inv_d.
+// Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in
+// a face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as
+// it was. Each t = (face - o) * inv_d has three roundings, so near and far are compared with that
+// much room, 2 gamma(3), between them.
 HD bool crosses(const Bounds& box, const SlabRay& ray, float t_max) {
     float t_near = 0, t_far = t_max;
     for (int axis = 0; axis < 3; ++axis) {

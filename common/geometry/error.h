@@ -17,15 +17,15 @@ HD float error_on_plane(const ExactPlane& plane, Vec3 p, Vec3 n, double conditio
     return rounding_error(p, n) + float(0x1p-50 * conditioning * (lever.x + lever.y + lever.z));
 }
 
-// |e1| |e2| / |e1 x e2|, by which the cross product magnifies a rounding error: 1 where the edges at
-// a meet at a right angle, large for a needle.
+// |e1| |e2| / |e1 x e2|, by which the cross product magnifies a rounding error: 1 where the edges
+// at a meet at a right angle, large for a needle.
 HD double normal_conditioning(Vec3 a, Vec3 b, Vec3 c) {
     const DVec3 e1 = DVec3(b) - DVec3(a), e2 = DVec3(c) - DVec3(a), n = cross(e1, e2);
     return sqrt(dot(e1, e1) / dot(n, n) * dot(e2, e2));
 }
 
-// On a sphere besides: its test takes |f|^2 - r^2 in float. Six roundings of r^2 look like a shift of
-// the surface by 3 u r.
+// On a sphere besides: its test takes |f|^2 - r^2 in float. Six roundings of r^2 look like a shift
+// of the surface by 3 u r.
 HD float error_on_sphere(const Sphere& sphere, Vec3 p, Vec3 n) {
     return rounding_error(p, n) + gamma_bound(4) * sphere.radius;
 }

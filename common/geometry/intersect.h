@@ -13,7 +13,8 @@ namespace raylab {
 // Calls visit(shape, index, id, t) for every shape the ray meets in (0, ray.t_max), until visit
 // returns false. Runs of triangles whose box begins beyond reach() are skipped.
 template <Features F, class Visit, class Reach>
-HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit, const Reach& reach) {
+HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
+                     const Reach& reach) {
     float t;
     if constexpr (F & feature::sphere) {
         for (int i = 0; i < scene.spheres.size; ++i) {

@@ -12,7 +12,8 @@ HD Vec2 sphere_uv(Vec3 n) {
     return Vec2(u < 0 ? u + 1 : u, acosf(clamp(-n.y, -1.0f, 1.0f)) * inv_pi);
 }
 
-// (u, v) with p = a + u (b - a) + v (c - a), for p in the plane of the three corners: ratios of areas.
+// (u, v) with p = a + u (b - a) + v (c - a), for p in the plane of the three corners: ratios of
+// areas.
 HD Vec2 affine_coordinates(Vec3 a, Vec3 b, Vec3 c, DVec3 p) {
     const DVec3 e1 = DVec3(b) - DVec3(a), e2 = DVec3(c) - DVec3(a), n = cross(e1, e2);
     const DVec3 q = p - DVec3(a);

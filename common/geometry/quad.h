@@ -13,16 +13,14 @@ HD ExactPlane exact_plane(const Quad& quad) {
 // neighbours. The corners' rounding leaves no quad quite flat; seen edge-on it may even look like a
 // bow tie. Halved along its diagonal it has no hole from anywhere.
 HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
-    const Vec3* v = quad.v;
-    const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]), d = ray(v[3]);
+    const Corner a = ray(quad.v[0]), b = ray(quad.v[1]), c = ray(quad.v[2]), d = ray(quad.v[3]);
     const double diagonal = edge(c, a);
     if (!same_side(edge(a, b), edge(b, c), diagonal) &&
         !same_side(edge(c, d), edge(d, a), -diagonal))
         return false;
-    const double d0 = ray.depth(v[0]), d1 = ray.depth(v[1]);
-    const double d2 = ray.depth(v[2]), d3 = ray.depth(v[3]);
-    return hit_within(exact_plane(quad), ray.ray, fmin(fmin(d0, d1), fmin(d2, d3)),
-                      fmax(fmax(d0, d1), fmax(d2, d3)), t);
+    return hit_between(exact_plane(quad), ray.ray,
+                       glm::min(glm::min(a.depth, b.depth), glm::min(c.depth, d.depth)),
+                       glm::max(glm::max(a.depth, b.depth), glm::max(c.depth, d.depth)), t);
 }
 
 } // namespace raylab

@@ -18,14 +18,15 @@ HD bool intersect(const Sphere& sphere, const Ray& ray, float& t) {
     const bool inside = c < 0;
     if (!inside && b <= 0) return false; // outside and not approaching
 
-    // a^-1 times a quarter of the discriminant. From outside b^2 - a c is a small difference of large
-    // numbers, while r^2 - |f + (b/a) d|^2 compares the radius with the distance of the line from the
-    // centre. From inside c < 0, and the two terms only add.
+    // a^-1 times a quarter of the discriminant. From outside b^2 - a c is a small difference of
+    // large numbers, while r^2 - |f + (b/a) d|^2 compares the radius with the distance of the line
+    // from the centre. From inside c < 0, and the two terms only add.
     const float discriminant =
         inside ? b * b / a - c : sqr(sphere.radius) - length_squared(f + (b / a) * ray.d);
     if (discriminant < 0) return false;
 
-    // q is the root of larger magnitude times a: no cancellation; the product of the roots is c / a.
+    // q is the root of larger magnitude times a: no cancellation; the product of the roots is c /
+    // a.
     const float q = b + copysignf(sqrtf(a * discriminant), b);
     const float t0 = c / q, t1 = q / a;
     const float near_t = fminf(t0, t1), far_t = fmaxf(t0, t1);

@@ -22,9 +22,17 @@ struct SurfacePoint {
     int light;     // index into SceneView::lights, or -1
 };
 
+// A few ulps from p towards the middle of its face. Rounded onto an edge, p would lie on the wall
+// next to its floor as well, and half of the rays from there would start behind that wall.
+HD DVec3 clear_of_edges(DVec3 p, DVec3 middle) {
+    const float reach = gamma_bound(16) * max_component(abs(Vec3(p)));
+    const DVec3 inward = middle - p;
+    const double distance = sqrt(dot(inward, inward));
+    return distance <= reach ? middle : p + inward * (reach / distance);
+}
+
 // p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
-template <Features F>
-HD SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
+template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
     const DVec3 center(sphere.center);
     const DVec3 n = glm::normalize(p - center);
     SurfacePoint s{};
@@ -38,12 +46,14 @@ HD SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
 
 template <Features F> HD SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
     const ExactPlane plane = exact_plane(quad);
-    p = project(plane, p);
+    const DVec3 middle =
+        0.25 * (DVec3(quad.v[0]) + DVec3(quad.v[1]) + DVec3(quad.v[2]) + DVec3(quad.v[3]));
+    p = project(plane, clear_of_edges(p, middle));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
-    s.error = error_on_plane(plane, s.p, s.ng,
-                             normal_conditioning(quad.v[0], quad.v[1], quad.v[3]));
+    s.error =
+        error_on_plane(plane, s.p, s.ng, normal_conditioning(quad.v[0], quad.v[1], quad.v[3]));
     s.shading = Frame::around(s.ng);
     if constexpr (F & feature::texture) s.uv = quad_uv(quad, p);
     return s;
@@ -63,7 +73,8 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Plane& 
 template <Features F>
 HD SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p) {
     const ExactPlane plane = exact_plane(triangle);
-    p = project(plane, p);
+    const DVec3 sum = DVec3(triangle.v[0]) + DVec3(triangle.v[1]) + DVec3(triangle.v[2]);
+    p = project(plane, clear_of_edges(p, sum / 3.0));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = triangle.normal;

@@ -25,7 +25,8 @@ HD Vec3 lookup(const SceneView& scene, const Texture& texture, Vec2 uv) {
 }
 
 // Material::reflectance, or its texture's value at uv.
-template <Features F> HD Vec3 reflectance_at(const SceneView& scene, const Material& material, Vec2 uv) {
+template <Features F>
+HD Vec3 reflectance_at(const SceneView& scene, const Material& material, Vec2 uv) {
     if constexpr (F & feature::texture) {
         if (material.texture >= 0) return lookup(scene, scene.textures[material.texture], uv);
     }

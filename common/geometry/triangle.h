@@ -1,5 +1,5 @@
 // Ray and triangle: no ray passes between two triangles that share an edge.
-// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, with exact edges.
+// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -16,25 +16,25 @@ HD ExactPlane exact_plane(const Triangle& triangle) {
     return plane_through(triangle.v[0], triangle.v[1], triangle.v[2]);
 }
 
-// t of a ray that passes within the corners whose depths lie in [near_depth, far_depth]. A ray almost
-// in the plane makes the quotient ill-conditioned, but never takes the hit out of that interval.
-HD bool hit_within(const ExactPlane& plane, const Ray& ray, double near_depth, double far_depth,
-                   float& t) {
+// t of a ray that passes between corners whose depths span [near_depth, far_depth]. A ray almost in
+// the plane makes the quotient ill-conditioned, but cannot meet the face outside that span.
+HD bool hit_between(const ExactPlane& plane, const Ray& ray, double near_depth, double far_depth,
+                    float& t) {
     double distance;
     if (!distance_to(plane, ray, distance)) return false;
-    t = float(fmin(fmax(distance, near_depth), far_depth));
+    t = float(glm::clamp(distance, near_depth, far_depth));
     return t > 0 && t < ray.t_max;
 }
 
-// t in (0, ray.t_max) at which the ray meets the triangle, from either side. Edges and corners belong
-// to every triangle that has them. A triangle without area, or with a NaN in it, is never hit.
+// t in (0, ray.t_max) at which the ray meets the triangle, from either side. Edges and corners
+// belong to every triangle that has them. A triangle without area, or with a NaN in it, is never
+// hit.
 HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
-    const Vec3* v = triangle.v;
-    const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]);
+    const Corner a = ray(triangle.v[0]), b = ray(triangle.v[1]), c = ray(triangle.v[2]);
     if (!same_side(edge(a, b), edge(b, c), edge(c, a))) return false;
-    const double d0 = ray.depth(v[0]), d1 = ray.depth(v[1]), d2 = ray.depth(v[2]);
-    return hit_within(exact_plane(triangle), ray.ray, fmin(d0, fmin(d1, d2)),
-                      fmax(d0, fmax(d1, d2)), t);
+    return hit_between(exact_plane(triangle), ray.ray,
+                       glm::min(a.depth, glm::min(b.depth, c.depth)),
+                       glm::max(a.depth, glm::max(b.depth, c.depth)), t);
 }
 
 } // namespace raylab
