@@ -13,21 +13,21 @@ struct Words {
 };
 
 // A bijection of 128 bits: two inputs that differ anywhere give two outputs that look unrelated.
-// A step of a congruential generator on each word, then each word is mixed into the next, twice;
-// the shift between brings high bits, which are well mixed, back to the low ones.
+// A step of a congruential generator on each word, then each word is mixed into the next. Products
+// carry upwards only, so between the rounds a shift brings high bits back down. The paper has two
+// rounds; the third is for the upper seven bits of each word, which two leave almost unmixed: there
+// seeds 1 and 0x80000001 would give nearly the same image.
 HD Words pcg4d(Words v) {
     v.x = v.x * 1664525u + 1013904223u;
     v.y = v.y * 1664525u + 1013904223u;
     v.z = v.z * 1664525u + 1013904223u;
     v.w = v.w * 1664525u + 1013904223u;
-    v.x += v.y * v.w, v.y += v.z * v.x, v.z += v.x * v.y, v.w += v.y * v.z;
-    v.x ^= v.x >> 16, v.y ^= v.y >> 16, v.z ^= v.z >> 16, v.w ^= v.w >> 16;
-    v.x += v.y * v.w, v.y += v.z * v.x, v.z += v.x * v.y, v.w += v.y * v.z;
+    for (int round = 0; round < 3; ++round) {
+        v.x ^= v.x >> 16, v.y ^= v.y >> 16, v.z ^= v.z >> 16, v.w ^= v.w >> 16;
+        v.x += v.y * v.w, v.y += v.z * v.x, v.z += v.x * v.y, v.w += v.y * v.z;
+    }
     return v;
 }
-
-// One word out of two, for a key that is itself made of keys.
-HD std::uint32_t hash_combine(std::uint32_t a, std::uint32_t b) { return pcg4d({a, b, 0, 0}).x; }
 
 // The upper 24 bits as a number in [0, 1): every value is a float, so none rounds up to 1.
 HD float to_unit(std::uint32_t bits) { return (bits >> 8) * 0x1p-24f; }
