@@ -48,9 +48,9 @@ Mesh parse_obj(std::string_view text, const std::string& name);
 // glTF 2.0, as text or as one binary file (GLB). Throws SceneError.
 Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read);
 
-// Gives every triangle one normal per corner: the mean of the faces' normals around the same
-// position, weighted by their angles there, so that it does not depend on how polygons were cut
-// (Thurmer and Wuthrich, Computing Vertex Normals from Polygonal Facets, JGT 3(1), 1998).
+// Gives every triangle that has no normals one per corner: the mean of the faces' normals around
+// the same position, weighted by their angles there, so that it does not depend on how polygons
+// were cut (Thurmer and Wuthrich, Computing Vertex Normals from Polygonal Facets, JGT 3(1), 1998).
 void compute_smooth_normals(Mesh& mesh);
 
 } // namespace raylab

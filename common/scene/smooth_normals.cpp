@@ -43,17 +43,22 @@ std::vector<int> welded(const std::vector<DVec3>& positions) {
 
 void compute_smooth_normals(Mesh& mesh) {
     const std::vector<int> representative = welded(mesh.positions);
-    mesh.normals.assign(mesh.positions.size(), DVec3(0));
+    const int first = int(mesh.normals.size());
+    mesh.normals.resize(mesh.normals.size() + mesh.positions.size(), DVec3(0));
     for (MeshTriangle& triangle : mesh.triangles) {
         DVec3 p[3];
-        for (int i = 0; i < 3; ++i) p[i] = mesh.positions[triangle.position[i]];
+        int shared[3];
+        for (int i = 0; i < 3; ++i) {
+            p[i] = mesh.positions[triangle.position[i]];
+            shared[i] = first + representative[triangle.position[i]];
+        }
+        if (triangle.normal[0] < 0) triangle.normal = {shared[0], shared[1], shared[2]};
         const DVec3 face = cross(p[1] - p[0], p[2] - p[0]);
         const double size = std::sqrt(dot(face, face));
+        if (!(size > 0) || !std::isfinite(size)) continue; // will be dropped
         for (int i = 0; i < 3; ++i) {
-            triangle.normal[i] = representative[triangle.position[i]];
-            if (!(size > 0) || !std::isfinite(size)) continue; // will be dropped
             const double angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-            mesh.normals[triangle.normal[i]] += face / size * angle;
+            mesh.normals[shared[i]] += face / size * angle;
         }
     }
 }

@@ -2,6 +2,5 @@
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
-#include "common/scene/tinygltf.h"
 #define TINYGLTF_IMPLEMENTATION
-#include <tiny_gltf.h>
+#include "common/scene/tinygltf.h"
