@@ -5,7 +5,7 @@ Directions as in common/scene/view.h: u = atan2(z, x) / 2 pi, v = acos(y) / pi, 
 import math
 
 WIDTH, HEIGHT = 256, 128
-SUN_AZIMUTH, SUN_HEIGHT, SUN_RADIUS = math.radians(212), math.radians(14), math.radians(3.2)
+SUN_AZIMUTH, SUN_HEIGHT, SUN_RADIUS = math.radians(216), math.radians(13), math.radians(4.5)
 
 
 def mix(a, b, t):
@@ -55,7 +55,7 @@ def sky(azimuth, elevation):
     colour = tuple(c + g * glow for c, g in zip(colour, (2.6, 1.3, 0.5)))
     angle = math.acos(max(-1.0, min(1.0, cos_sun)))
     disc = max(0.0, min(1.0, (SUN_RADIUS - angle) / math.radians(1.2) + 0.5))
-    return tuple(c + d * disc for c, d in zip(colour, (170, 110, 55)))
+    return tuple(c + d * disc for c, d in zip(colour, (80, 50, 25)))
 
 
 def rgbe(colour):
