@@ -1,5 +1,5 @@
 // The labs, as the program knows them: the one place where they meet.
-#include "app/options.h"
+#include "app/labs.h"
 #include "labs/01_recursive/renderer.h"
 #include "labs/02_iterative/renderer.h"
 

@@ -1,9 +1,4 @@
-// Options that several commands share.
 #include "app/options.h"
-
-#include "common/scene/load.h"
-
-#include <fmt/format.h>
 
 #include <map>
 
@@ -21,60 +16,44 @@ const std::map<std::string, ThreadOrder> orders = {{"forward", ThreadOrder::forw
                                                    {"reverse", ThreadOrder::reverse},
                                                    {"random", ThreadOrder::random}};
 
-template <class T> void change(T& value, const std::optional<T>& to) {
-    if (to) value = *to;
+// An option that takes one of the names and stores what it stands for.
+template <class T, class Target>
+void add_choice(CLI::App& app, const std::string& name, Target& target,
+                const std::map<std::string, T>& names, const std::string& help,
+                const std::string& group) {
+    app.add_option_function<std::string>(
+           name, [&target, &names](const std::string& text) { target = names.at(text); }, help)
+        ->check(CLI::IsMember(names))
+        ->group(group);
 }
 
 } // namespace
 
 void add_scene_options(CLI::App& app, SceneChanges& changes) {
-    app.add_option("--spp", changes.spp, "samples a pixel")->group("Scene");
-    app.add_option("--seed", changes.seed, "seed of the random numbers")->group("Scene");
-    app.add_option("--depth", changes.depth, "surfaces a path may touch")->group("Scene");
-    app.add_option("--width", changes.width, "film width in pixels")->group("Scene");
-    app.add_option("--height", changes.height, "film height in pixels")->group("Scene");
-    app.add_option("--integrator", changes.integrator, "path or whitted")
-        ->check(CLI::IsMember(integrators))
-        ->group("Scene");
-    app.add_option("--sampler", changes.sampler, "sobol or independent")
-        ->check(CLI::IsMember(samplers))
-        ->group("Scene");
-    app.add_option("--direct-light", changes.direct_light, "mis, light or bsdf")
-        ->check(CLI::IsMember(strategies))
-        ->group("Scene");
-    app.add_option("--roulette", changes.roulette, "Russian roulette: true or false")->group("Scene");
+    const std::string group = "Scene (instead of what the file says)";
+    app.add_option("--spp", changes.spp, "samples a pixel")->group(group);
+    app.add_option("--seed", changes.seed, "seed of the random numbers")->group(group);
+    app.add_option("--depth", changes.depth, "surfaces a path may touch")->group(group);
+    app.add_option("--width", changes.width, "film width in pixels")->group(group);
+    app.add_option("--height", changes.height, "film height in pixels")->group(group);
+    add_choice(app, "--integrator", changes.integrator, integrators, "how light is followed", group);
+    add_choice(app, "--sampler", changes.sampler, samplers, "random numbers", group);
+    add_choice(app, "--direct-light", changes.direct_light, strategies,
+               "how light sources are found", group);
+    app.add_option("--roulette", changes.roulette, "Russian roulette: true or false")->group(group);
 }
 
 void add_machine_options(CLI::App& app, MachineSettings& machine) {
+    const std::string group = "Machine (none changes a bit of the image)";
     app.add_option("--threads", machine.threads, "host threads (default: one a core)")
         ->check(CLI::Range(0, 1024))
-        ->group("Machine");
+        ->group(group);
     app.add_option("--block", machine.block_size, "CUDA threads a block")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str()
-        ->group("Machine");
-    app.add_option("--order", machine.order, "order of CUDA threads: forward, reverse or random")
-        ->transform(CLI::CheckedTransformer(orders))
-        ->group("Machine");
-    app.add_option("--order-seed", machine.order_seed, "seed of --order random")->group("Machine");
-}
-
-Scene load_changed_scene(const std::string& name, const SceneChanges& changes) {
-    Scene scene = load_scene(find_scene(name));
-    RenderSettings& render = scene.render;
-    change(render.spp, changes.spp);
-    change(render.seed, changes.seed);
-    change(render.max_depth, changes.depth);
-    change(render.roulette, changes.roulette);
-    if (changes.integrator) render.integrator = integrators.at(*changes.integrator);
-    if (changes.sampler) render.sampler = samplers.at(*changes.sampler);
-    if (changes.direct_light) render.direct_light = strategies.at(*changes.direct_light);
-    const int width = changes.width.value_or(scene.camera.width);
-    const int height = changes.height.value_or(scene.camera.height);
-    if (const auto problem = problem_with(render, width, height))
-        throw UsageError(fmt::format("{}: {}", problem->key, problem->what));
-    set_film_size(scene.camera, width, height);
-    return scene;
+        ->group(group);
+    add_choice(app, "--order", machine.order, orders, "order in which CUDA threads run", group);
+    app.add_option("--order-seed", machine.order_seed, "seed of --order random")->group(group);
 }
 
 } // namespace raylab::app

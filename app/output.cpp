@@ -1,6 +1,6 @@
 #include "app/output.h"
 
-#include "app/options.h"
+#include "app/labs.h"
 #include "common/cli/files.h"
 
 #include <fmt/format.h>

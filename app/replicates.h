@@ -2,7 +2,7 @@
 // error, measured and not assumed.
 #pragma once
 
-#include "app/options.h"
+#include "app/labs.h"
 
 namespace raylab::app {
 

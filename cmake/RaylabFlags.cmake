@@ -2,10 +2,24 @@
 #
 # Bits are a feature: contraction is off and fast-math never on, so that g++ and clang, one thread
 # or many, give the same image (docs/architecture.md, numeric policy).
+# The hard cases must hold in other numerics too, which RAYLAB_NUMERICS chooses for a whole build:
+# fused multiply-adds as nvcc makes them by default, and everything the processor at hand can do.
+set(RAYLAB_NUMERICS reference CACHE STRING "reference, contract (-ffp-contract=fast -mfma) or native")
+set_property(CACHE RAYLAB_NUMERICS PROPERTY STRINGS reference contract native)
+if(RAYLAB_NUMERICS STREQUAL "reference")
+    set(numerics -ffp-contract=off)
+elseif(RAYLAB_NUMERICS STREQUAL "contract")
+    set(numerics -ffp-contract=fast -mfma)
+elseif(RAYLAB_NUMERICS STREQUAL "native")
+    set(numerics -ffp-contract=fast -march=native)
+else()
+    message(FATAL_ERROR "RAYLAB_NUMERICS is '${RAYLAB_NUMERICS}': expected reference, contract or native")
+endif()
+
 add_library(raylab_flags INTERFACE)
 target_include_directories(raylab_flags INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(raylab_flags INTERFACE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Werror;-ffp-contract=off;-fno-math-errno>)
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Werror;-fno-math-errno;${numerics}>")
 # g++ 12 sees overlapping copies in "text" + std::string() where there are none (GCC bug 105651).
 target_compile_options(raylab_flags INTERFACE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>)

@@ -11,6 +11,8 @@
 
 namespace raylab {
 
+using simt::check; // throws DeviceError if a CUDA call failed
+
 template <class T> class DeviceArray {
     static_assert(std::is_trivially_copyable_v<T>, "device arrays are copied byte by byte");
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/render/renderer.h"
-#include "common/simt/check.h"
+#include "common/device/device_array.h"
 #include "common/simt/cuda.h"
 #if !defined(__CUDACC__)
 #include "common/simt/options.h"

@@ -24,7 +24,7 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
     // ray almost in the plane makes the quotient a guess.
     double distance;
     if (!distance_to(plane_through(v[0], v[1], v[2]), ray.ray, distance)) return false;
-    const auto [nearest, farthest] = std::minmax({ray.depth(v[0]), ray.depth(v[1]), ray.depth(v[2])});
+    const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     t = static_cast<float>(std::clamp(distance, nearest, farthest));
     return t > 0 && t < ray.ray.t_max;
     //| not_implemented("1.2", "hit_triangle()");

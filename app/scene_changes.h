@@ -1,0 +1,24 @@
+// Changes to a scene's `render` and `film` blocks, as a command line or a test asks for them.
+#pragma once
+
+#include "common/scene/scene.h"
+
+#include <optional>
+#include <string>
+
+namespace raylab::app {
+
+struct SceneChanges {
+    std::optional<int> spp, depth, width, height;
+    std::optional<std::uint32_t> seed;
+    std::optional<Integrator> integrator;
+    std::optional<SamplerKind> sampler;
+    std::optional<DirectLight> direct_light;
+    std::optional<bool> roulette;
+};
+
+// Loads a scene by name or path and applies the changes; the result is validated again. Throws
+// SceneError for a scene that is wrong, UsageError for a change that is.
+Scene load_changed_scene(const std::string& name, const SceneChanges& changes);
+
+} // namespace raylab::app

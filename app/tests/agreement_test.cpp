@@ -1,0 +1,115 @@
+// All labs draw the same image. Every bundled scene, several seeds: the recursive lab and the
+// iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative lab
+// gives the same bits however its threads are cut into blocks, ordered and shared out.
+#include "app/labs.h"
+#include "app/scene_changes.h"
+#include "common/scene/load.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace raylab::app {
+
+namespace {
+
+// A copy of the scene with a film of at most `side` pixels a side and few samples.
+Scene small(const std::string& name, int side, std::uint32_t seed) {
+    Scene scene = load_scene(find_scene(name));
+    const double shrink =
+        std::min(1.0, static_cast<double>(side) / std::max(scene.camera.width, scene.camera.height));
+    set_film_size(scene.camera, std::max(1, static_cast<int>(scene.camera.width * shrink)),
+                  std::max(1, static_cast<int>(scene.camera.height * shrink)));
+    scene.render.seed = seed;
+    return scene;
+}
+
+struct Traced {
+    Film film;
+    std::vector<std::vector<PathRecord>> records; // [iteration][pixel]
+};
+
+Traced trace(const std::string& lab, const Scene& scene, const MachineSettings& machine, int spp) {
+    const std::unique_ptr<Renderer> renderer = find_lab(lab).make(scene, machine);
+    Traced traced;
+    for (int i = 0; i < spp; ++i) {
+        renderer->add_iteration();
+        traced.records.push_back(renderer->records());
+    }
+    traced.film = renderer->film();
+    return traced;
+}
+
+bool same_bits(const Film& a, const Film& b) {
+    return a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
+}
+
+// Where two renders part first, in words.
+std::string first_difference(const Traced& a, const Traced& b, int width) {
+    for (std::size_t sample = 0; sample < a.records.size(); ++sample)
+        for (std::size_t pixel = 0; pixel < a.records[sample].size(); ++pixel) {
+            const PathRecord& x = a.records[sample][pixel];
+            const PathRecord& y = b.records[sample][pixel];
+            if (x.length != y.length || x.end != y.end || x.hits != y.hits ||
+                x.shadow_rays != y.shadow_rays)
+                return "pixel (" + std::to_string(pixel % width) + ", " +
+                       std::to_string(pixel / width) + "), sample " + std::to_string(sample) +
+                       ": lengths " + std::to_string(x.length) + " and " + std::to_string(y.length) +
+                       ", feelers " + std::to_string(x.shadow_rays) + " and " +
+                       std::to_string(y.shadow_rays);
+        }
+    return "";
+}
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScene, RecursiveAndIterativeTraceTheSamePaths) {
+    const int side = std::getenv("RAYLAB_LONG") ? 128 : 40;
+    for (const std::uint32_t seed : {1u, 20121105u}) {
+        const Scene scene = small(GetParam(), side, seed);
+        const Traced one = trace("01", scene, {}, 3), two = trace("02", scene, {}, 3);
+        ASSERT_EQ(first_difference(one, two, scene.camera.width), "") << "seed " << seed;
+        for (std::size_t i = 0; i < one.film.pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c) {
+                const double a = one.film.pixels[i].sum[c], b = two.film.pixels[i].sum[c];
+                ASSERT_LE(std::fabs(a - b), 1e-5 * std::fabs(a))
+                    << "seed " << seed << ", pixel " << i << ", channel " << c << ": " << a
+                    << " and " << b;
+            }
+    }
+}
+
+TEST_P(EveryScene, IterativeLabIsBitIdenticalHoweverItIsRun) {
+    const Scene scene = small(GetParam(), 24, 7);
+    const Film expected = trace("02", scene, {.threads = 1}, 2).film;
+    for (const MachineSettings& machine :
+         {MachineSettings{.threads = 2, .block_size = 32},
+          MachineSettings{.threads = 3, .block_size = 100, .order = ThreadOrder::reverse},
+          MachineSettings{.threads = 2, .block_size = 1, .order = ThreadOrder::random, .order_seed = 5},
+          MachineSettings{.threads = 2, .block_size = 1024, .order = ThreadOrder::random}})
+        EXPECT_TRUE(same_bits(trace("02", scene, machine, 2).film, expected))
+            << machine.threads << " threads, blocks of " << machine.block_size;
+}
+
+TEST_P(EveryScene, RecursiveLabIsBitIdenticalForAnyThreadCount) {
+    const Scene scene = small(GetParam(), 24, 7);
+    const Film expected = trace("01", scene, {.threads = 1}, 2).film;
+    EXPECT_TRUE(same_bits(trace("01", scene, {.threads = 3}, 2).film, expected));
+}
+
+// The comparison itself can fail: another seed parts the paths.
+TEST(Agreement, IsNotAlwaysTrue) {
+    const Scene a = small("cornell", 24, 1), b = small("cornell", 24, 2);
+    const Traced one = trace("01", a, {}, 1), two = trace("02", b, {}, 1);
+    EXPECT_NE(first_difference(one, two, a.camera.width), "");
+    EXPECT_FALSE(same_bits(one.film, two.film));
+}
+
+INSTANTIATE_TEST_SUITE_P(Bundled, EveryScene, testing::ValuesIn(bundled_scenes()),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+
+} // namespace raylab::app
