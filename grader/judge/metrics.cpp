@@ -1,0 +1,65 @@
+#include "grader/judge/metrics.h"
+
+#include "grader/judge/moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raylab {
+
+Metrics measure(const Image& image, const Image& reference) {
+    double squares = 0, relative = 0, variance = 0, sum_a = 0, sum_r = 0, mean = 0;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        if (is_finite(image.mean[i]) && is_finite(reference.mean[i]))
+            for (int c = 0; c < 3; ++c, ++n) mean += double(reference.mean[i][c]);
+    Metrics result;
+    if (n == 0) return result;
+    mean /= double(n);
+
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        const Vec3 a = image.mean[i], r = reference.mean[i];
+        if (!is_finite(a) || !is_finite(r)) continue;
+        sum_a += double(luminance(a));
+        sum_r += double(luminance(r));
+        for (int c = 0; c < 3; ++c) {
+            const double d = double(a[c]) - double(r[c]);
+            const double var_a = image.variance.empty() ? 0 : double(image.variance[i][c]);
+            const double var_r = reference.variance.empty() ? 0 : double(reference.variance[i][c]);
+            const double weight = double(r[c]) * double(r[c]) + 1e-4 * mean * mean;
+            squares += d * d;
+            variance += var_a + var_r;
+            if (weight > 0) relative += (d * d - var_r) / weight;
+        }
+    }
+    result.mse = squares / double(n);
+    result.rel_mse = relative / double(n);
+    result.rel_error = sum_r > 0 ? sum_a / sum_r - 1 : 0;
+    result.rel_bias = image.variance.empty()
+                          ? std::numeric_limits<double>::quiet_NaN()
+                          : std::sqrt(std::max(0.0, (squares - variance) / double(n)));
+    if (mean > 0) result.rel_bias /= mean;
+    return result;
+}
+
+ZMap z_map(const Image& image, const Image& reference) {
+    const glm::dmat3 fully_correlated(1, 1, 1, 1, 1, 1, 1, 1, 1);
+    const ReferenceTiles a(image), r(reference);
+    ZMap map;
+    map.tile = tile_size;
+    map.columns = (image.width + tile_size - 1) / tile_size;
+    map.rows = (image.height + tile_size - 1) / tile_size;
+    for (const Region& region : regions_of(image.width, image.height, tile_size)) {
+        const Estimate x = project(a.moments(region, fully_correlated), luminance_weights);
+        const Estimate y = project(r.moments(region, fully_correlated), luminance_weights);
+        // NaN, too, where nothing is known of the noise and the difference is not 0.
+        map.z.push_back(x.mean == y.mean ? 0
+                                         : (x.mean - y.mean) / std::sqrt(x.variance + y.variance));
+    }
+    if (image.variance.empty() && reference.variance.empty())
+        for (double& z : map.z) z = z == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
+    return map;
+}
+
+} // namespace raylab

@@ -1,0 +1,122 @@
+#include "grader/judge/moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace raylab {
+
+const DVec3 luminance_weights(0.2126, 0.7152, 0.0722);
+
+namespace {
+
+constexpr double rounding = 1e-6; // relative noise below this is not noise
+
+const DVec3 colour_axes[3] = {luminance_weights, {1, -1, 0}, {0, -1, 1}};
+
+// Excess kurtosis m4 / m2^2 - 3 of the values along one axis; 0 where they do not vary.
+double excess_kurtosis(const std::vector<DVec3>& values, const DVec3& mean, const DVec3& axis) {
+    double m2 = 0, m4 = 0;
+    for (const DVec3& v : values) {
+        const double d = glm::dot(v - mean, axis);
+        m2 += d * d;
+        m4 += d * d * d * d;
+    }
+    const double n = double(values.size()), level = rounding * glm::length(mean);
+    return m2 <= n * level * level ? 0 : m4 * n / (m2 * m2) - 3;
+}
+
+double correlation(const glm::dmat3& covariance, int a, int b) {
+    const double v = covariance[a][a] * covariance[b][b];
+    return a == b ? 1 : v > 0 ? covariance[a][b] / std::sqrt(v) : 0;
+}
+
+} // namespace
+
+void Replicates::add(Image image) {
+    if (!images.empty() && (image.width != images[0].width || image.height != images[0].height))
+        throw std::invalid_argument("Replicates: all images must have the same size");
+    tiles.emplace_back(image.mean, image.width, image.height);
+    images.push_back(std::move(image));
+}
+
+Image mean_of(const Replicates& replicates) {
+    const std::size_t n = replicates.images.size();
+    if (n < 2) throw std::invalid_argument("mean_of: at least two replicates are needed");
+    Image result = replicates.images[0];
+    result.provenance.spp = replicates.spp * static_cast<int>(n);
+    result.variance.resize(result.pixels());
+    for (std::size_t i = 0; i < result.pixels(); ++i) {
+        DVec3 sum(0), squares(0);
+        for (const Image& image : replicates.images) sum += DVec3(image.mean[i]);
+        const DVec3 mean = sum / double(n);
+        for (const Image& image : replicates.images) {
+            const DVec3 d = DVec3(image.mean[i]) - mean;
+            squares += d * d;
+        }
+        result.mean[i] = Vec3(mean);
+        result.variance[i] = Vec3(squares / double(n * (n - 1)));
+    }
+    return result;
+}
+
+Moments moments_of(const Replicates& replicates, const Region& region, double* kurtosis) {
+    const double n = replicates.count(), pixels = region.pixels();
+    std::vector<DVec3> values;
+    Moments result;
+    for (const TileSums& tiles : replicates.tiles) {
+        values.push_back(tiles.over(region) / pixels);
+        result.mean += values.back() / n;
+    }
+    for (const DVec3& v : values)
+        result.covariance += glm::outerProduct(v - result.mean, v - result.mean);
+    result.covariance /= n * (n - 1);
+    result.dof = n - 1;
+    if (kurtosis) {
+        *kurtosis = 0;
+        for (const DVec3& axis : colour_axes)
+            *kurtosis = std::max(*kurtosis, excess_kurtosis(values, result.mean, axis));
+    }
+    return result;
+}
+
+ReferenceTiles::ReferenceTiles(const Image& r)
+    : mean_(r.mean, r.width, r.height),
+      variance_(
+          r.width, r.height,
+          [&](std::size_t i) { return r.variance.empty() ? DVec3(0) : DVec3(r.variance[i]); }),
+      squared_variance_(r.width, r.height, [&](std::size_t i) {
+          const DVec3 v = r.variance.empty() ? DVec3(0) : DVec3(r.variance[i]);
+          return v * v;
+      }) {}
+
+Moments ReferenceTiles::moments(const Region& region, const glm::dmat3& like) const {
+    const double pixels = region.pixels();
+    const DVec3 variance = variance_.over(region), squares = squared_variance_.over(region);
+    const DVec3 deviation = glm::sqrt(variance) / pixels;
+    Moments result;
+    result.mean = mean_.over(region) / pixels;
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+            result.covariance[a][b] = deviation[a] * deviation[b] * correlation(like, a, b);
+    double dof = pixels;
+    for (int c = 0; c < 3; ++c)
+        if (squares[c] > 0) dof = std::min(dof, variance[c] * variance[c] / squares[c]);
+    result.dof = std::max(1.0, dof);
+    return result;
+}
+
+Estimate project(const Moments& m, const DVec3& direction) {
+    return {glm::dot(m.mean, direction), glm::dot(direction, m.covariance * direction), m.dof};
+}
+
+Estimate2 chroma(const Moments& m) {
+    const DVec3 &u = colour_axes[1], &v = colour_axes[2];
+    const double uv = glm::dot(u, m.covariance * v);
+    return {{glm::dot(u, m.mean), glm::dot(v, m.mean)},
+            glm::dmat2(glm::dot(u, m.covariance * u), uv, uv, glm::dot(v, m.covariance * v)),
+            m.dof};
+}
+
+} // namespace raylab

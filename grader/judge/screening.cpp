@@ -1,0 +1,138 @@
+#include "grader/judge/screening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace raylab {
+namespace {
+
+struct Pair {
+    Moments image, reference;
+    double kurtosis = 0;
+};
+
+// Both sides of one region, with the variance completed where light is rare.
+Pair moments_of_both(const Replicates& replicates, const ReferenceTiles& reference,
+                     int reference_spp, const Region& region, const ScreeningOptions& options) {
+    Pair pair;
+    pair.image = moments_of(replicates, region, &pair.kurtosis);
+    pair.reference = reference.moments(region, pair.image.covariance);
+    const double samples = double(replicates.count()) * replicates.spp;
+    // A mean over n samples has variance v / n: what the reference predicts for the replicates.
+    const glm::dmat3 predicted = pair.reference.covariance * (reference_spp / samples);
+    const Estimate y = project({pair.reference.mean, predicted, 1}, luminance_weights);
+    if (std::sqrt(y.variance) > options.rare_light * std::abs(y.mean))
+        pair.reference.covariance += predicted; // known as well as the reference's, so on its side
+    return pair;
+}
+
+// Differences below `tolerance` become 0, larger ones shrink by it.
+void forgive_rounding(Estimate& a, const Estimate& b, double tolerance) {
+    const double d = a.mean - b.mean;
+    a.mean = std::abs(d) <= tolerance ? b.mean : a.mean - std::copysign(tolerance, d);
+}
+
+void forgive_rounding(Estimate2& a, const Estimate2& b, double tolerance) {
+    const glm::dvec2 d = a.mean - b.mean;
+    const double length = glm::length(d);
+    a.mean = length <= tolerance ? b.mean : a.mean - d * (tolerance / length);
+}
+
+double rounding_of(const Pair& pair, const ScreeningOptions& options) {
+    return options.rounding * glm::dot(luminance_weights, glm::abs(pair.reference.mean));
+}
+
+TestResult test_along(const Pair& pair, const DVec3& direction, const ScreeningOptions& options) {
+    Estimate a = project(pair.image, direction);
+    const Estimate b = project(pair.reference, direction);
+    forgive_rounding(a, b, rounding_of(pair, options) * glm::length(direction));
+    return welch_t(a, b);
+}
+
+RegionTest describe(const Pair& pair, const Region& region, bool of_chroma) {
+    RegionTest test;
+    test.region = region;
+    test.chroma = of_chroma;
+    test.direction = luminance_weights;
+    test.image = pair.image.mean;
+    test.reference = pair.reference.mean;
+    const double a = project(pair.image, luminance_weights).variance;
+    const double b = project(pair.reference, luminance_weights).variance;
+    test.standard_error = std::sqrt(a + b);
+    test.reference_share = a + b > 0 ? b / (a + b) : 0;
+    return test;
+}
+
+// The colour direction along which the chroma difference stands out most: V^-1 d, in R, G, B.
+DVec3 chroma_direction(const Estimate2& a, const Estimate2& b) {
+    glm::dmat2 v = a.covariance + b.covariance;
+    const double scale = (v[0][0] + v[1][1]) / 2;
+    const glm::dvec2 d = a.mean - b.mean;
+    if (scale <= 0) return {d.x, -d.x - d.y, d.y};
+    v /= scale;
+    v[0][0] += 1e-12;
+    v[1][1] += 1e-12;
+    const glm::dvec2 w = glm::inverse(v) * d;
+    return {w.x, -w.x - w.y, w.y};
+}
+
+void test_region(const Pair& pair, const Region& region, const ScreeningOptions& options,
+                 std::vector<RegionTest>& tests) {
+    RegionTest light = describe(pair, region, false);
+    light.test = test_along(pair, luminance_weights, options);
+    tests.push_back(light);
+
+    RegionTest colour = describe(pair, region, true);
+    Estimate2 a = chroma(pair.image);
+    const Estimate2 b = chroma(pair.reference);
+    forgive_rounding(a, b, rounding_of(pair, options));
+    colour.test = hotelling_t2(a, b);
+    colour.direction = chroma_direction(a, b);
+    tests.push_back(colour);
+}
+
+} // namespace
+
+Screening screen(const Replicates& replicates, const ReferenceTiles& reference, int reference_spp,
+                 const ScreeningOptions& options) {
+    if (replicates.count() < 4) throw std::invalid_argument("screen: 4 replicates are needed");
+    const int width = replicates.images[0].width, height = replicates.images[0].height;
+    const Region whole{0, 0, width, height};
+    Screening result;
+    std::vector<Region> level = regions_of(width, height, tile_size), merged;
+    for (int size = tile_size; size < std::max(width, height); size *= 2) {
+        if (size <= 2 * tile_size) result.planned += 2 * static_cast<int>(level.size());
+        merged.clear();
+        for (const Region& region : level) {
+            const Pair pair =
+                moments_of_both(replicates, reference, reference_spp, region, options);
+            if (pair.kurtosis <= options.kurtosis_limit) {
+                test_region(pair, region, options, result.tests);
+                continue;
+            }
+            ++result.merged;
+            const Region parent = parent_of(region, size, width, height);
+            if (std::find(merged.begin(), merged.end(), parent) == merged.end())
+                merged.push_back(parent);
+        }
+        // All 32 x 32 blocks are tested in any case; larger ones only where a smaller was merged.
+        level = size == tile_size ? regions_of(width, height, 2 * tile_size) : merged;
+    }
+    result.planned += 2;
+    const Pair pair = moments_of_both(replicates, reference, reference_spp, whole, options);
+    test_region(pair, whole, options, result.tests);
+    result.whole = result.tests[result.tests.size() - 2];
+    result.worst = *std::min_element(
+        result.tests.begin(), result.tests.end(),
+        [](const RegionTest& a, const RegionTest& b) { return a.test.p < b.test.p; });
+    return result;
+}
+
+TestResult retest(const Replicates& replicates, const ReferenceTiles& reference, int reference_spp,
+                  const Region& region, const DVec3& direction, const ScreeningOptions& options) {
+    return test_along(moments_of_both(replicates, reference, reference_spp, region, options),
+                      direction, options);
+}
+
+} // namespace raylab
