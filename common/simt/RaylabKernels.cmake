@@ -21,10 +21,10 @@ function(raylab_kernel_sources target)
         add_custom_command(OUTPUT ${out} COMMAND simt_rewrite ${source} ${out} ${name}
                            DEPENDS ${source} simt_rewrite VERBATIM
                            COMMENT "Rewriting ${name} for the CPU machine")
-        # Headers beside the .cu are found. #pragma unroll is for nvcc, and comparing an int with
-        # blockDim.x is everybody's habit.
-        set_source_files_properties(${out} PROPERTIES
-            COMPILE_OPTIONS "-iquote;${folder};-Wno-unknown-pragmas;-Wno-sign-compare")
+        # Headers beside the .cu are found. #pragma unroll is for nvcc, comparing an int with
+        # blockDim.x is everybody's habit, and g++ takes a file with #line for a header.
+        set_source_files_properties(${out} PROPERTIES COMPILE_OPTIONS
+            "-iquote;${folder};-Wno-unknown-pragmas;-Wno-sign-compare;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
         target_sources(${target} PRIVATE ${out})
     endforeach()
 endfunction()

@@ -1,0 +1,127 @@
+// The rewriter: what it turns into what, and that it leaves all else alone, to the character.
+#include "common/simt/rewrite/rewrite.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace raylab::simt {
+namespace {
+
+const std::string head = "#line 1 \"f.cu\"\n";
+
+std::string rewritten(const std::string& source) {
+    std::string out = rewrite(source, "f.cu");
+    EXPECT_EQ(out.substr(0, head.size()), head);
+    return out.substr(head.size());
+}
+
+// `k<<<c>>>` as it comes out.
+std::string launch(const std::string& kernel, const std::string& configuration) {
+    return "::raylab::simt::launcher(RAYLAB_KERNEL(" + kernel + "), " + configuration + ")";
+}
+
+std::string error_of(const std::string& source) {
+    try {
+        rewrite(source, "f.cu");
+    } catch (const RewriteError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Rewrite, FindsTheKernelBeforeTheConfiguration) {
+    struct Case {
+        std::string before, kernel;
+    };
+    for (auto& [before, kernel] : {Case{"", "k"},
+                                   {"{ ", "k"},
+                                   {"if (x) ", "k"},
+                                   {"if (x > 1) ", "(k)"},
+                                   {"while (f(x)) ", "(*k)"},
+                                   {"else ", "k"},
+                                   {"return ", "k"},
+                                   {"a = b; ", "k"},
+                                   {"x > ", "k"},
+                                   {"label: ", "k"},
+                                   {"f(1); ", "a::b::k"},
+                                   {"", "::k"},
+                                   {"; ", "::a::k"},
+                                   {"", "k<3>"},
+                                   {"", "k<F, 3>"},
+                                   {"", "k<A<B<int>>, (1 > 2)>"},
+                                   {"", "ns::k<a::B, sizeof(x[1])>"},
+                                   {"", "T<int>::k"},
+                                   {"", "object.template k<3>"},
+                                   {"", "object.kernels[i + 1]"},
+                                   {"", "p->k"},
+                                   {"", "this->f(a, b).k"},
+                                   {"", "choose(mode, 'x')"},
+                                   {"{ ", "(choose(1))"}})
+        EXPECT_EQ(rewritten(before + kernel + "<<<1, 2>>>(a)"),
+                  before + launch(kernel, "1, 2") + "(a)");
+}
+
+TEST(Rewrite, KeepsConfigurationAndArgumentsAsTheyAre) {
+    EXPECT_EQ(rewritten("k<<<dim3(1, 2), (n + 255) >> 8, 0, s>>>(a, 0);"),
+              launch("k", "dim3(1, 2), (n + 255) >> 8, 0, s") + "(a, 0);");
+    EXPECT_EQ(rewritten("k<<<g<3>(n), b[2]>>>(f({1, 2}), x < y, x >> 3, \"<<<\");"),
+              launch("k", "g<3>(n), b[2]") + "(f({1, 2}), x < y, x >> 3, \"<<<\");");
+    EXPECT_EQ(rewritten("k<<<a, b>>>([&] { h<<<1, 1>>>(); return 2; }());"),
+              launch("k", "a, b") + "([&] { " + launch("h", "1, 1") + "(); return 2; }());");
+    EXPECT_EQ(rewritten("#define GO(k, n) \\\n    k<<<1, n>>>(n)\n"),
+              "#define GO(k, n) \\\n    " + launch("k", "1, n") + "(n)\n");
+}
+
+TEST(Rewrite, LeavesEverythingElseAlone) {
+    for (std::string source :
+         {"// k<<<1, 1>>>(a)\n", "/* k<<<1,\n 1>>>(a) */ int x;", "auto s = \"k<<<1, 1>>>(a)\";",
+          "auto s = R\"(k<<<1, 1>>>(\"a\"))\";", "auto s = u8R\"x(k<<<1, 1>>>(a))\" )x\";",
+          "auto s = \"\\\"\"; // \" k<<<1, 1>>>(a)",
+          "char c = '\"'; char d = '\\''; int n = 1'000'000;", "#include <a<<<b>>>(c)>\n",
+          "#error don't k<<<1, 1>>>(a)\n", "x = a << b; y = c >> d;", "out << 1 << 2;",
+          "using std::operator<<<char>;", "a < b; A<B<C<int>>>(3);", "extern int x[];",
+          "extern \"C\" { extern float y[]; }", "__shared__ float s[4];",
+          "int a = 1; // don't\nchar c = 'k';", ""})
+        EXPECT_EQ(rewritten(source), source);
+}
+
+TEST(Rewrite, MakesAPointerOfDynamicSharedMemory) {
+    auto in_function = [](const std::string& text) { return "void k() { " + text + " }"; };
+    auto pointer = [](const std::string& variable, const std::string& type) {
+        return variable + " = ::raylab::simt::dynamic_shared<" + type + ">();";
+    };
+    for (auto& [before, after] :
+         {std::pair<std::string, std::string>{"extern __shared__ float s[];",
+                                              pointer("float* s", "float")},
+          {"extern __shared__ T s [ ] ;", pointer("T* s", "T")},
+          {"extern __shared__ __align__(16) unsigned char s[];",
+           pointer("unsigned char* s", "unsigned char")},
+          {"extern __align__(8) volatile __shared__ int s[];",
+           pointer("volatile int* s", "volatile int")},
+          {"extern __shared__ alignas(16) std::uint8_t s[];",
+           pointer("std :: uint8_t* s", "std :: uint8_t")},
+          {"extern __shared__ A<int, 3> s[];", pointer("A < int , 3 >* s", "A < int , 3 >")},
+          {"extern __shared__ float s[][16];", pointer("float (*s)[16]", "float[16]")}})
+        EXPECT_EQ(rewritten(in_function(before)), in_function(after));
+}
+
+TEST(Rewrite, KeepsEveryLineItsNumber) {
+    std::string source =
+        "a\nk\n<<<\n1,\n2\n>>>\n(\na)\n;void f() {\nextern __shared__\nfloat\ns[];\n} b";
+    std::string out = rewritten(source);
+    EXPECT_EQ(std::count(out.begin(), out.end(), '\n'),
+              std::count(source.begin(), source.end(), '\n'));
+    EXPECT_EQ(out.substr(out.size() - 3), "} b");
+}
+
+TEST(Rewrite, ErrorsNameTheLine) {
+    EXPECT_EQ(error_of("a\nk<<<1, 1;\n").substr(0, 27), "f.cu:2: error: this <<< has");
+    EXPECT_EQ(error_of("\n\n(k<<<1, 1)").substr(0, 27), "f.cu:3: error: this <<< has");
+    EXPECT_EQ(error_of("x = <<<1, 1>>>(a);").substr(0, 30), "f.cu:1: error: there is no ker");
+    EXPECT_EQ(error_of("namespace a {\nextern __shared__ float s[];\n}").substr(0, 34),
+              "f.cu:2: error: extern __shared__ s");
+}
+
+} // namespace
+} // namespace raylab::simt
