@@ -10,16 +10,22 @@
 
 namespace raylab {
 
-// sin^2 of the refracted angle (Snell); 1 or more: total internal reflection.
-HD float refracted_sin2(float cos_i, float eta) { return (1 - cos_i) * (1 + cos_i) / (eta * eta); }
+// (eta cos_t)^2 = eta^2 - sin_i^2, by Snell; 0 or less: total internal reflection. In double, where
+// both products are exact: near the critical angle the difference is small, and F depends on its
+// root.
+HD float refracted_cos2(float cos_i, float eta) {
+    const double c = cos_i, n = eta;
+    return static_cast<float>((n * n - 1) + c * c);
+}
 
+// 1 under total internal reflection. Error below 1e-6.
 HD float fresnel_dielectric(float cos_i, float eta) {
     cos_i = clamp(cos_i, 0, 1);
-    const float sin2_t = refracted_sin2(cos_i, eta);
-    if (sin2_t >= 1) return 1;
-    const float cos_t = sqrtf(1 - sin2_t);
-    const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-    const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    const float cos2 = refracted_cos2(cos_i, eta);
+    if (cos2 <= 0) return 1;
+    const float s = sqrtf(cos2); // eta cos_t
+    const float perpendicular = (cos_i - s) / (cos_i + s);
+    const float parallel = (eta * eta * cos_i - s) / (eta * eta * cos_i + s);
     return (sqr(parallel) + sqr(perpendicular)) / 2;
 }
 
@@ -32,9 +38,10 @@ HD float schlick(float r0, float cosine) {
 // An approximation, off by up to 0.21 (ior 1.1) near grazing. The angle that counts is the larger
 // one, on the thinner side; from inside that is the refracted one, and past it reflection is total.
 HD float fresnel_dielectric_schlick(float cos_i, float eta) {
-    const float sin2_t = refracted_sin2(clamp(cos_i, 0, 1), eta);
-    if (sin2_t >= 1) return 1;
-    return schlick(sqr((eta - 1) / (eta + 1)), eta < 1 ? sqrtf(1 - sin2_t) : cos_i);
+    cos_i = clamp(cos_i, 0, 1);
+    const float cos2 = refracted_cos2(cos_i, eta);
+    if (cos2 <= 0) return 1;
+    return schlick(sqr((eta - 1) / (eta + 1)), eta < 1 ? sqrtf(cos2) / eta : cos_i);
 }
 
 // A metal's index is complex, eta + i k, relative to the medium in front. Fresnel's equations with

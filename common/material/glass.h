@@ -29,7 +29,8 @@ HD FresnelSplit fresnel_split(const Material& m, Vec3 wo) {
 HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) {
     const FresnelSplit split = fresnel_split(m, wo);
     const bool reflects = u_lobe < split.reflectance;
-    return {reflects ? split.reflected : split.refracted, tint, 0, true, true};
+    return {reflects ? split.reflected : split.refracted, tint, 0, true,
+            reflects || split.reflectance < 1};
 }
 
 } // namespace raylab

@@ -11,7 +11,7 @@ HD Vec3 reflect(Vec3 wo, Vec3 n) { return 2 * dot(wo, n) * n - wo; }
 
 struct Refraction {
     Vec3 wi;    // into the other side of the surface; never NaN
-    bool total; // total internal reflection: no light is refracted, wi lies in the surface
+    bool total; // total internal reflection: no light is refracted, wi has no meaning
 };
 
 // Requires dot(wo, n) >= 0. eta: index of refraction on the far side over that on wo's.
