@@ -7,25 +7,52 @@
 namespace raylab {
 namespace {
 
+double luminance_variance(const glm::dmat3& covariance) {
+    return glm::dot(luminance_weights, covariance * luminance_weights);
+}
+
+// Both sides of one region.
 struct Pair {
     Moments image, reference;
     double kurtosis = 0;
 };
 
-// Both sides of one region, with the variance completed where light is rare.
-Pair moments_of_both(const Replicates& replicates, const ReferenceTiles& reference,
-                     int reference_spp, const Region& region, const ScreeningOptions& options) {
-    Pair pair;
-    pair.image = moments_of(replicates, region, &pair.kurtosis);
-    pair.reference = reference.moments(region, pair.image.covariance);
-    const double samples = double(replicates.count()) * replicates.spp;
-    // A mean over n samples has variance v / n: what the reference predicts for the replicates.
-    const glm::dmat3 predicted = pair.reference.covariance * (reference_spp / samples);
-    const Estimate y = project({pair.reference.mean, predicted, 1}, luminance_weights);
-    if (std::sqrt(y.variance) > options.rare_light * std::abs(y.mean))
-        pair.reference.covariance += predicted; // known as well as the reference's, so on its side
-    return pair;
-}
+// Replicates and reference, and what the one predicts for the other.
+class Sides {
+  public:
+    Sides(const Replicates& replicates, const ReferenceTiles& reference, int reference_spp,
+          const ScreeningOptions& options)
+        : replicates_(replicates), reference_(reference),
+          // A mean over n samples has variance v / n.
+          predicted_(double(reference_spp) / (double(replicates.count()) * replicates.spp)) {
+        if (!options.variance_floor) return;
+        double measured = 0, predicted = 0;
+        const Image& image = replicates.images[0];
+        for (const Region& region : regions_of(image.width, image.height, tile_size)) {
+            const Pair pair = of(region);
+            measured += luminance_variance(pair.image.covariance);
+            predicted += predicted_ * luminance_variance(pair.reference.covariance);
+        }
+        if (predicted > 0) floor_ = std::min(1.0, measured / predicted);
+    }
+
+    Pair of(const Region& region) const {
+        Pair pair;
+        pair.image = moments_of(replicates_, region, &pair.kurtosis);
+        pair.reference = reference_.moments(region, pair.image.covariance);
+        const glm::dmat3 predicted = pair.reference.covariance * predicted_;
+        const double share =
+            luminance_variance(pair.image.covariance) / luminance_variance(predicted);
+        if (share < floor_) pair.image.covariance += (floor_ - share) * predicted;
+        return pair;
+    }
+
+  private:
+    const Replicates& replicates_;
+    const ReferenceTiles& reference_;
+    double predicted_; // variance of the replicates' mean over that of the reference
+    double floor_ = 0; // share of it that a region must have
+};
 
 // Differences below `tolerance` become 0, larger ones shrink by it.
 void forgive_rounding(Estimate& a, const Estimate& b, double tolerance) {
@@ -99,14 +126,14 @@ Screening screen(const Replicates& replicates, const ReferenceTiles& reference, 
     if (replicates.count() < 4) throw std::invalid_argument("screen: 4 replicates are needed");
     const int width = replicates.images[0].width, height = replicates.images[0].height;
     const Region whole{0, 0, width, height};
+    const Sides sides(replicates, reference, reference_spp, options);
     Screening result;
     std::vector<Region> level = regions_of(width, height, tile_size), merged;
     for (int size = tile_size; size < std::max(width, height); size *= 2) {
         if (size <= 2 * tile_size) result.planned += 2 * static_cast<int>(level.size());
         merged.clear();
         for (const Region& region : level) {
-            const Pair pair =
-                moments_of_both(replicates, reference, reference_spp, region, options);
+            const Pair pair = sides.of(region);
             if (pair.kurtosis <= options.kurtosis_limit) {
                 test_region(pair, region, options, result.tests);
                 continue;
@@ -120,7 +147,7 @@ Screening screen(const Replicates& replicates, const ReferenceTiles& reference, 
         level = size == tile_size ? regions_of(width, height, 2 * tile_size) : merged;
     }
     result.planned += 2;
-    const Pair pair = moments_of_both(replicates, reference, reference_spp, whole, options);
+    const Pair pair = sides.of(whole);
     test_region(pair, whole, options, result.tests);
     result.whole = result.tests[result.tests.size() - 2];
     result.worst = *std::min_element(
@@ -131,8 +158,8 @@ Screening screen(const Replicates& replicates, const ReferenceTiles& reference, 
 
 TestResult retest(const Replicates& replicates, const ReferenceTiles& reference, int reference_spp,
                   const Region& region, const DVec3& direction, const ScreeningOptions& options) {
-    return test_along(moments_of_both(replicates, reference, reference_spp, region, options),
-                      direction, options);
+    return test_along(Sides(replicates, reference, reference_spp, options).of(region), direction,
+                      options);
 }
 
 } // namespace raylab

@@ -10,10 +10,10 @@ namespace raylab {
 struct ScreeningOptions {
     // Regions whose replicates have a larger excess kurtosis are merged into the next larger one.
     double kurtosis_limit = 3;
-    // Where the reference's error predicts that all replicates together know the region no better
-    // than this, few paths carry its light: the replicates may all have missed it and agree on too
-    // little, so the predicted variance is added to theirs.
-    double rare_light = 0.05;
+    // Where few paths carry the light, all replicates may have missed most of it and agree on too
+    // little. So a region's variance is not taken below what the reference predicts for it, times
+    // the replicates' share of the predicted variance over all regions (at most 1).
+    bool variance_floor = true;
     // Relative differences below this are rounding.
     double rounding = 1e-5;
 };
