@@ -22,11 +22,16 @@ struct QuadMeasure {
     HD float area() const { return (at00 + at10 + at01 + at11) / 4; }
 };
 
+// The parallelogram's area, by its unit normal: no squares, which would underflow in small scenes.
+HD float parallelogram_area(Vec3 e1, Vec3 e2, Vec3 normal) { return dot(cross(e1, e2), normal); }
+
 HD QuadMeasure measure(const Quad& quad) {
     const Vec3 bottom = quad.v[1] - quad.v[0], right = quad.v[2] - quad.v[1];
     const Vec3 top = quad.v[2] - quad.v[3], left = quad.v[3] - quad.v[0];
-    return {length(cross(bottom, left)), length(cross(bottom, right)), length(cross(top, left)),
-            length(cross(top, right))};
+    return {parallelogram_area(bottom, left, quad.normal),
+            parallelogram_area(bottom, right, quad.normal),
+            parallelogram_area(top, left, quad.normal),
+            parallelogram_area(top, right, quad.normal)};
 }
 
 // (s, t) with density proportional to that measure makes p(s, t) uniform: first t, from the density
@@ -49,8 +54,9 @@ HD float quad_light_pdf(const Quad& quad, Vec3 from, Vec3 wi, Vec3 p) {
 }
 
 HD float triangle_area(const Triangle& triangle) {
-    const Vec3 e1 = triangle.v[1] - triangle.v[0], e2 = triangle.v[2] - triangle.v[0];
-    return length(cross(e1, e2)) / 2;
+    return parallelogram_area(triangle.v[1] - triangle.v[0], triangle.v[2] - triangle.v[0],
+                              triangle.normal) /
+           2;
 }
 
 HD LightSample sample_triangle_light(const Triangle& triangle, Vec3 radiance, Vec3 from, Vec2 u) {
