@@ -8,12 +8,11 @@
 namespace raylab {
 
 const DVec3 luminance_weights(0.2126, 0.7152, 0.0722);
+const DVec3 colour_axes[3] = {luminance_weights, {1, -1, 0}, {0, -1, 1}};
 
 namespace {
 
 constexpr double rounding = 1e-6; // relative noise below this is not noise
-
-const DVec3 colour_axes[3] = {luminance_weights, {1, -1, 0}, {0, -1, 1}};
 
 // Excess kurtosis m4 / m2^2 - 3 of the values along one axis; 0 where they do not vary.
 double excess_kurtosis(const std::vector<DVec3>& values, const DVec3& mean, const DVec3& axis) {

@@ -48,6 +48,7 @@ class ReferenceTiles {
 };
 
 extern const DVec3 luminance_weights; // Rec. 709
+extern const DVec3 colour_axes[3];    // luminance, R - G, B - G
 
 // What is seen along one direction of colour space, e.g. luminance_weights.
 Estimate project(const Moments& moments, const DVec3& direction);

@@ -7,8 +7,8 @@
 namespace raylab {
 namespace {
 
-double luminance_variance(const glm::dmat3& covariance) {
-    return glm::dot(luminance_weights, covariance * luminance_weights);
+double variance_along(const DVec3& axis, const glm::dmat3& covariance) {
+    return glm::dot(axis, covariance * axis);
 }
 
 // Both sides of one region.
@@ -25,33 +25,46 @@ class Sides {
         : replicates_(replicates), reference_(reference),
           // A mean over n samples has variance v / n.
           predicted_(double(reference_spp) / (double(replicates.count()) * replicates.spp)) {
-        if (!options.variance_floor) return;
-        double measured = 0, predicted = 0;
         const Image& image = replicates.images[0];
-        for (const Region& region : regions_of(image.width, image.height, tile_size)) {
+        const std::vector<Region> regions = regions_of(image.width, image.height, tile_size);
+        for (const Region& region : regions)
+            covariance_ += moments_of(replicates, region).covariance;
+        if (!options.variance_floor) return;
+        DVec3 measured(0), predicted(0);
+        for (const Region& region : regions) {
             const Pair pair = of(region);
-            measured += luminance_variance(pair.image.covariance);
-            predicted += predicted_ * luminance_variance(pair.reference.covariance);
+            for (int a = 0; a < 3; ++a) {
+                measured[a] += variance_along(colour_axes[a], pair.image.covariance);
+                predicted[a] +=
+                    predicted_ * variance_along(colour_axes[a], pair.reference.covariance);
+            }
         }
-        if (predicted > 0) floor_ = std::min(1.0, measured / predicted);
+        for (int a = 0; a < 3; ++a)
+            if (predicted[a] > 0) floor_[a] = std::min(1.0, measured[a] / predicted[a]);
     }
 
     Pair of(const Region& region) const {
         Pair pair;
         pair.image = moments_of(replicates_, region, &pair.kurtosis);
-        pair.reference = reference_.moments(region, pair.image.covariance);
+        pair.reference = reference_.moments(region, covariance_);
         const glm::dmat3 predicted = pair.reference.covariance * predicted_;
-        const double share =
-            luminance_variance(pair.image.covariance) / luminance_variance(predicted);
-        if (share < floor_) pair.image.covariance += (floor_ - share) * predicted;
+        double missing = 0;
+        for (int a = 0; a < 3; ++a) {
+            const double v = variance_along(colour_axes[a], predicted);
+            if (v <= 0) continue;
+            const double share = variance_along(colour_axes[a], pair.image.covariance) / v;
+            missing = std::max(missing, floor_[a] - share);
+        }
+        pair.image.covariance += missing * predicted;
         return pair;
     }
 
   private:
     const Replicates& replicates_;
     const ReferenceTiles& reference_;
-    double predicted_; // variance of the replicates' mean over that of the reference
-    double floor_ = 0; // share of it that a region must have
+    double predicted_;         // variance of the replicates' mean over that of the reference
+    glm::dmat3 covariance_{0}; // sum over regions: how the channels' noise is correlated
+    DVec3 floor_{0};           // share of the predicted variance to be had, by colour axis
 };
 
 // Differences below `tolerance` become 0, larger ones shrink by it.
