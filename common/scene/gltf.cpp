@@ -180,35 +180,37 @@ class GltfReader {
             mode != TINYGLTF_MODE_TRIANGLE_FAN)
             return mesh_.warnings.push_back(fmt::format(
                 "{}: points and lines of mesh {} have no surface and are left out", name_, mesh));
-        const Node json = file_.json("meshes", mesh);
         const int material = primitive.material;
         if (material >= int(model_.materials.size()))
-            json.fail(fmt::format("material {} does not exist; the file has {}", material,
-                                  model_.materials.size()));
+            fail_in_mesh(mesh, fmt::format("material {} does not exist; the file has {}", material,
+                                           model_.materials.size()));
 
-        const auto positions = attribute(primitive, "POSITION", 3, json);
-        if (!positions) json.fail("expected an attribute POSITION, found none");
-        const auto normals = attribute(primitive, "NORMAL", 3, json);
+        const auto positions = attribute(primitive, "POSITION", 3, mesh);
+        if (!positions) fail_in_mesh(mesh, "expected an attribute POSITION, found none");
+        const auto normals = attribute(primitive, "NORMAL", 3, mesh);
         const int set =
             material < 0
                 ? 0
                 : model_.materials[material].pbrMetallicRoughness.baseColorTexture.texCoord;
-        const auto uvs = attribute(primitive, fmt::format("TEXCOORD_{}", set), 2, json);
+        const auto uvs = attribute(primitive, fmt::format("TEXCOORD_{}", set), 2, mesh);
         for (const auto* other : {&normals, &uvs})
             if (*other && (*other)->count() != positions->count())
-                json.fail(fmt::format(
-                    "expected as many normals and texture coordinates as positions, found "
-                    "{} and {}",
-                    (*other)->count(), positions->count()));
+                fail_in_mesh(
+                    mesh,
+                    fmt::format(
+                        "expected as many normals and texture coordinates as positions, found "
+                        "{} and {}",
+                        (*other)->count(), positions->count()));
 
         const int base = int(mesh_.positions.size());
-        const std::vector<int> corners = indices(primitive, positions->count(), json);
+        const std::vector<int> corners = indices(primitive, positions->count(), mesh);
         if (mesh_.positions.size() + std::size_t(positions->count()) > max_triangles ||
             mesh_.triangles.size() + corners.size() > max_triangles)
-            json.fail(fmt::format(
-                "the file has more than {} triangles or vertices, nodes expanded; use a "
-                "smaller mesh",
-                max_triangles));
+            fail_in_mesh(
+                mesh, fmt::format(
+                          "the file has more than {} triangles or vertices, nodes expanded; use a "
+                          "smaller mesh",
+                          max_triangles));
         const int base_normal = int(mesh_.normals.size()), base_uv = int(mesh_.uvs.size());
         const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(to_world.linear));
         for (int i = 0; i < positions->count(); ++i) {
@@ -231,33 +233,35 @@ class GltfReader {
         }
     }
 
+    [[noreturn]] void fail_in_mesh(int mesh, const std::string& what) const {
+        file_.json("meshes", mesh).fail(what);
+    }
+
     std::optional<GltfElements> attribute(const tinygltf::Primitive& primitive,
-                                          const std::string& name, int components,
-                                          const Node& json) const {
+                                          const std::string& name, int components, int mesh) const {
         const auto found = primitive.attributes.find(name);
         if (found == primitive.attributes.end()) return std::nullopt;
-        const GltfElements elements = accessor(found->second, name, json);
+        const GltfElements elements = accessor(found->second, name, mesh);
         if (elements.components() != components)
-            json.fail(fmt::format("expected {} of {} components, found {}", name, components,
-                                  elements.components()));
+            fail_in_mesh(mesh, fmt::format("expected {} of {} components, found {}", name,
+                                           components, elements.components()));
         return elements;
     }
 
-    GltfElements accessor(int index, const std::string& of, const Node& json) const {
+    GltfElements accessor(int index, const std::string& of, int mesh) const {
         if (index < 0 || index >= int(model_.accessors.size()))
-            json.fail(fmt::format("the accessor {} of {} does not exist; the file has {}", index,
-                                  of, model_.accessors.size()));
+            fail_in_mesh(mesh, fmt::format("the accessor {} of {} does not exist; the file has {}",
+                                           index, of, model_.accessors.size()));
         return GltfElements(file_, index);
     }
 
     // Three vertices per triangle, from a list, a strip or a fan, indexed or not.
-    std::vector<int> indices(const tinygltf::Primitive& primitive, int vertices,
-                             const Node& json) const {
+    std::vector<int> indices(const tinygltf::Primitive& primitive, int vertices, int mesh) const {
         std::vector<int> list;
         if (primitive.indices < 0) {
             for (int i = 0; i < vertices; ++i) list.push_back(i);
         } else {
-            const GltfElements elements = accessor(primitive.indices, "indices", json);
+            const GltfElements elements = accessor(primitive.indices, "indices", mesh);
             if (elements.components() != 1 || !elements.is_unsigned_integer())
                 file_.json("accessors", primitive.indices)
                     .fail("expected indices of type SCALAR with an "
@@ -275,8 +279,9 @@ class GltfReader {
         }
         if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
             if (list.size() % 3 != 0)
-                json.fail(fmt::format("expected three vertices per triangle, found {} in all",
-                                      list.size()));
+                fail_in_mesh(mesh,
+                             fmt::format("expected three vertices per triangle, found {} in all",
+                                         list.size()));
             return list;
         }
         std::vector<int> triangles;

@@ -87,12 +87,19 @@ class Builder : public nlohmann::json::json_sax_t {
             fail(cursor_.next(), fmt::format("{} is too large; numbers must be finite", token));
         // "[json...101] parse error at line 1, column 5: syntax error while parsing value - ..."
         const std::size_t cut = what.find("while parsing ");
-        const std::string_view reason = cut == what.npos ? what : what.substr(cut);
+        std::string_view reason = cut == what.npos ? what : what.substr(cut);
+        reason = reason.substr(0, reason.find("; last read: ")); // the place shows it
+        const auto says = [reason](const char* words) { return reason.find(words) != reason.npos; };
+        const char* hint = "";
+        if (says("unexpected string literal") || says("unexpected '{'") || says("unexpected '['"))
+            hint = "; is a comma missing before it?";
+        if (says("object key - unexpected '}'") || says("value - unexpected ']'"))
+            hint = "; is there a comma too many before it?";
         // An unexpected token is pointed at where it begins, a broken one where it breaks.
         std::size_t back = 1;
-        if (reason.find("unexpected") != reason.npos) back = std::max<std::size_t>(token.size(), 1);
+        if (says("unexpected")) back = std::max<std::size_t>(token.size(), 1);
         const std::size_t offset = position > end ? end : position - std::min(position, back);
-        fail(offset, fmt::format("not valid JSON: {}", reason));
+        fail(offset, fmt::format("not valid JSON: {}{}", reason, hint));
         return false;
     }
 
@@ -188,9 +195,16 @@ std::string describe(const Json& value) {
         return fmt::format("{}", value.number);
     case Json::Kind::string:
         return quote(value.string);
-    case Json::Kind::array:
-        return value.items.empty() ? "an empty array"
-                                   : fmt::format("an array of {}", value.items.size());
+    case Json::Kind::array: {
+        if (value.items.empty()) return "an empty array";
+        std::string list;
+        for (const Json& item : value.items) {
+            if (item.kind != Json::Kind::number || value.items.size() > 4)
+                return fmt::format("an array of {}", value.items.size());
+            list.append(list.empty() ? "[" : ", ").append(describe(item));
+        }
+        return list + "]";
+    }
     case Json::Kind::object:
         return "an object";
     }

@@ -42,7 +42,7 @@ JsonDocument parse_json(std::string_view text, const std::string& file);
 // The text as a JSON string, control characters escaped, cut if long: fit for a terminal.
 std::string quote(const std::string& text);
 
-// `"a long string ..."`, `3.5`, `an array of 2`: a value as an error message shows it.
+// `"a long string ..."`, `3.5`, `[1, 2]`, `an array of 7`: a value as an error message shows it.
 std::string describe(const Json& value);
 
 } // namespace raylab

@@ -1,7 +1,8 @@
-// Decoding by stb_image, which reads zeros behind the end of a file: so we hand it the bytes
-// through callbacks and notice when it asks for more than there are.
+// Decoding by stb_image, which goes on behind the end of a file as if there were zeros, in Radiance
+// files for ever: so we hand it the bytes through callbacks, and notice when it asks for too many.
 #include "common/scene/picture.h"
 
+#include "common/scene/jpeg_tables.h"
 #include "common/scene/scene_error.h"
 
 #include <fmt/format.h>
@@ -31,13 +32,17 @@ struct ByteReader {
     std::size_t at = 0;
     bool past_end = false;
 
+    // Behind the end come line feeds, on which every decoder ends: as a Radiance header they are
+    // its last line, as a run they are too long for what is left, as a PNG chunk they are unknown.
     static int read(void* user, char* data, int size) {
         ByteReader& self = *static_cast<ByteReader*>(user);
         const std::size_t count = std::min(std::size_t(size), self.bytes.size() - self.at);
-        if (count == 0) self.past_end = true;
         std::memcpy(data, self.bytes.data() + self.at, count);
         self.at += count;
-        return int(count);
+        if (count > 0) return int(count);
+        self.past_end = true;
+        std::memset(data, '\n', std::size_t(size));
+        return size;
     }
     static void skip(void* user, int count) {
         ByteReader& self = *static_cast<ByteReader*>(user);
@@ -63,6 +68,7 @@ float linear_from_srgb(int value) {
 
 Picture decode_picture(std::string_view bytes, const std::string& name) {
     const auto fail = [&](const std::string& what) { throw SceneError(name + ": " + what); };
+    if (!huffman_tables_fit(bytes)) fail("the image is broken (Huffman table); write it again");
     int width = 0, height = 0, channels = 0;
     ByteReader reader{bytes};
     if (!stbi_info_from_callbacks(&callbacks, &reader, &width, &height, &channels)) {

@@ -59,8 +59,7 @@ Material SceneBuilder::read_material(const Node& node) {
         m.k = node.at("k").rgb();
         const Node eta = node.at("eta");
         m.eta = eta.rgb();
-        if (!(m.eta.x > 0 && m.eta.y > 0 && m.eta.z > 0))
-            eta.fail("expected numbers greater than 0");
+        for (const Node& channel : eta.elements()) channel.positive();
     }
     if (const auto ior = node.find("ior")) m.ior = float(ior->positive());
     if (const auto alpha = node.find("alpha")) {

@@ -49,6 +49,10 @@ void SceneBuilder::read_shapes(const Node& shapes) {
     const int first = int(scene_.triangles.size());
     scene_.triangles.insert(scene_.triangles.end(), loose_.begin(), loose_.end());
     cut_into_runs(scene_.triangles, first, scene_.runs);
+    if (left_out_ > 0)
+        scene_.warnings.push_back(
+            fmt::format("{}: this triangle has no area and is left out, {} in all", first_left_out_,
+                        left_out_));
 }
 
 // scale, then the rotations in order, then translate.
@@ -194,7 +198,7 @@ void SceneBuilder::read_triangle(const Node& shape, int material) {
     Triangle triangle{{}, {}, -1, {next_id_, material, -1}};
     for (int i = 0; i < 3; ++i) triangle.v[i] = placed(shape, transform, p[i]);
     if (!set_normal(triangle)) {
-        scene_.warnings.push_back(shape.place() + ": a triangle without area is left out");
+        if (left_out_++ == 0) first_left_out_ = shape.place();
         return;
     }
     ++next_id_;

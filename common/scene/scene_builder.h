@@ -75,6 +75,8 @@ class SceneBuilder {
     std::map<std::string, int> material_index_;
     std::map<std::string, int> texture_index_; // by path
     std::vector<Triangle> loose_;              // triangles of no mesh, one group behind all meshes
+    int left_out_ = 0;                         // loose triangles without area
+    std::string first_left_out_;
     int next_id_ = 0;
 };
 

@@ -28,8 +28,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
     if (word.size() > 64) return "";
     const std::string* best = nullptr;
-    int best_distance =
-        1 + int(std::max<std::size_t>(word.size(), 3)) / 3; // one slip in three letters
+    int best_distance = word.size() < 4 ? 2 : word.size() < 8 ? 3 : 4; // less than this is near
     for (const std::string& candidate : known) {
         int distance = edit_distance(word, candidate);
         // Half a name is a common slip too: "vfov" for "vfov_deg".
