@@ -32,7 +32,7 @@ struct SlabRay {
     }
 };
 
-// Does the ray cross the box somewhere in [0, t_max]? May say yes to a near miss, never no to a hit.
+// Does the ray cross the box within [0, t_max]? May say yes to a near miss, never no to a hit.
 //
 // Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in
 // a face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as

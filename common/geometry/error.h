@@ -24,10 +24,9 @@ HD double normal_conditioning(Vec3 a, Vec3 b, Vec3 c) {
     return sqrt(dot(e1, e1) / dot(n, n) * dot(e2, e2));
 }
 
-// On a sphere besides: its test takes |f|^2 - r^2 in float. Six roundings of r^2 look like a shift
-// of the surface by 3 u r.
+// On a sphere besides: the rounding, in double, of its test's r^2.
 HD float error_on_sphere(const Sphere& sphere, Vec3 p, Vec3 n) {
-    return rounding_error(p, n) + gamma_bound(4) * sphere.radius;
+    return rounding_error(p, n) + 0x1p-50f * sphere.radius;
 }
 
 } // namespace raylab

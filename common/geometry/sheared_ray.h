@@ -1,20 +1,22 @@
 // The space in which triangles and quads are tested: the ray is the z axis.
 // Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
 //
-// A corner's place across the ray depends on the ray and on that corner alone, so two faces that
-// share the corner's bits share its image too, and the image of a closed surface is closed. It is
-// computed in double from floats: 29 bits finer than any coordinate of the scene. In float the
-// image would be shifted by an ulp of the *farthest* corner, and a ray that starts a few ulps above
-// a large face, beside its edge, could find neither that face nor its neighbour.
+// The ray passes a face if it passes its edges on the same side. Which side that is, is decided
+// without error: in double, from floats, and where even double leaves it open the ray counts as on
+// both sides. So of the faces around an edge or a corner, at least one is hit by a ray through it.
+//
+// In float the far corners of a large face shift its edges by their own rounding: a ray that starts
+// a few ulps above such a face, beside an edge, could find neither it nor its neighbour.
 #pragma once
 
 #include "common/geometry/ray.h"
 
 namespace raylab {
 
-// A corner seen along the ray: the ray passes at (0, 0) and is level with the corner at t = depth.
+// A corner seen along the ray, which passes at (0, 0) and is level with it at t = depth.
 struct Corner {
     double x, y, depth;
+    double size; // at least the largest coordinate it was computed from
 };
 
 struct ShearedRay {
@@ -39,19 +41,20 @@ struct ShearedRay {
         const float* p = &v.x;
         const float* o = &ray.o.x;
         const double z = double(p[kz]) - o[kz];
-        return {(double(p[kx]) - o[kx]) - sx * z, (double(p[ky]) - o[ky]) - sy * z, z * inv_dz};
+        const double x = (double(p[kx]) - o[kx]) - sx * z, y = (double(p[ky]) - o[ky]) - sy * z;
+        return {x, y, z * inv_dz, fabs(x) + fabs(y) + fabs(z)};
     }
 };
 
-// Twice the signed area of (ray, a, b): on which side of the edge a-b the ray passes. 0 where the
-// rounding of the two products leaves it open, so the sign is never wrong, whether or not the
-// compiler fuses or reorders the operations.
+// Twice the signed area of (ray, a, b): on which side of the edge a-b the ray passes. Rounding
+// moves x and y by less than 2^-50 size, and the area by less than 2^-49 size size; below that it
+// is 0. The sign is never wrong, whether or not the compiler fuses or reorders the operations.
 HD double edge(const Corner& a, const Corner& b) {
-    const double left = a.x * b.y, right = a.y * b.x, area = left - right;
-    return fabs(area) > 0x1p-50 * (fabs(left) + fabs(right)) ? area : 0;
+    const double area = a.x * b.y - a.y * b.x;
+    return fabs(area) > 0x1p-49 * (a.size * b.size) ? area : 0;
 }
 
-// Three edges that turn the same way enclose the ray; an edge through the ray (0) turns both ways.
+// Three edges that turn the same way enclose the ray; one through the ray (0) turns both ways.
 HD bool same_side(double a, double b, double c) {
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
