@@ -68,7 +68,7 @@ def rgbe(colour):
     return bytes(min(255, int(c * scale)) for c in colour) + bytes([exponent + 128])
 
 
-def dusk_hdr(samples=4):
+def dusk_hdr(samples=3):
     data = bytearray(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {HEIGHT} +X {WIDTH}\n".encode())
     for row in range(HEIGHT):
         for column in range(WIDTH):

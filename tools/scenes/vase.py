@@ -4,14 +4,14 @@ import math
 from lathe import smooth_profile, tidy, turn
 from png import png_bytes
 
-SEGMENTS = 30
+SEGMENTS = 20
 OUTSIDE = [(0, 0), (0.40, 0), (0.43, 0.05), (0.46, 0.16), (0.66, 0.52), (0.74, 0.94), (0.60, 1.32),
            (0.34, 1.62), (0.25, 1.82), (0.29, 2.0), (0.42, 2.12)]
 INSIDE = [(0.38, 2.13), (0.24, 1.97), (0.20, 1.8), (0, 1.6)]
 
 
 def vase_obj():
-    body = smooth_profile(OUTSIDE[1:], 1)
+    body = smooth_profile(OUTSIDE[1:], 2)
     profile = [OUTSIDE[0]] + body + INSIDE
     rings, triangles = turn(profile, SEGMENTS)
 
