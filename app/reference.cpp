@@ -21,11 +21,11 @@ struct ReferenceOptions {
     MachineSettings machine;
 };
 
-// 64 times the scene's own samples, in replicates with seeds of their own.
+// 16 times the scene's own samples, in replicates with seeds of their own.
 void make_reference(const ReferenceOptions& options, const std::string& name) {
     ReplicateJob job = {&find_lab(options.lab), load_scene(find_scene(name)), options.machine,
                         options.seed};
-    const int total = options.spp > 0 ? options.spp : 64 * job.scene.render.spp;
+    const int total = options.spp > 0 ? options.spp : 16 * job.scene.render.spp;
     job.scene.render.spp = std::max(1, total / options.replicates);
     const std::string path = fmt::format("{}/{}.exr", options.folder, job.scene.name);
     prepare_image_output(path);
@@ -61,7 +61,7 @@ Run add_reference(CLI::App& app) {
     app.add_option("SCENES", options->scenes, "scenes (default: all bundled)");
     app.add_option("--lab", options->lab, "the lab that renders")->capture_default_str();
     app.add_option("-o,--output", options->folder, "folder")->capture_default_str();
-    app.add_option("--spp", options->spp, "samples a pixel in all (default: 64 times the scene's)")
+    app.add_option("--spp", options->spp, "samples a pixel in all (default: 16 times the scene's)")
         ->check(CLI::PositiveNumber);
     app.add_option("--replicates", options->replicates, "independent renders to share them")
         ->check(CLI::Range(2, 1024))

@@ -12,7 +12,9 @@ Progress::Progress(std::string label, int steps, std::string unit, double scale)
     : label_(std::move(label)), unit_(std::move(unit)), steps_(steps), scale_(scale),
       visible_(isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
     if (visible_ && drawn_ != Clock::time_point{}) fmt::print(stderr, "\r\033[K");
 }
 

@@ -17,6 +17,7 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
 
     void update(int done); // draws at most ten times a second
+    void clear();          // takes the line away, so that something else can be printed
 
     double seconds() const; // since construction
 

@@ -1,0 +1,119 @@
+// raylab demo: every lab renders the bundled scenes, every image is judged, one page shows it all.
+#include "app/commands.h"
+#include "app/judged_scene.h"
+#include "app/output.h"
+#include "common/cli/progress.h"
+#include "common/scene/load.h"
+#include "grader/report/report.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <thread>
+
+namespace raylab::app {
+
+namespace {
+
+struct DemoOptions {
+    std::string folder = "out/demo";
+    std::vector<std::string> scenes;
+    std::uint32_t seed = 1;
+    MachineSettings machine;
+    bool json = false;
+};
+
+ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {
+    ReportEntry entry;
+    entry.lab = judged.lab;
+    entry.scene = judged.scene;
+    entry.title = judged.title;
+    entry.reason = judged.reason;
+    entry.passed = judged.passed;
+    entry.sentence = judged.judgement.verdict.sentence;
+    entry.hints = judged.judgement.verdict.hints;
+    for (const ExpectationResult& expectation : judged.expectations)
+        entry.facts.push_back(expectation.sentence);
+    if (judged.same_paths) entry.facts.push_back(judged.same_paths->verdict.sentence);
+    entry.image = judged.image;
+    entry.reference = reference;
+    entry.z_map = judged.judgement.z_map;
+    entry.metrics = judged.judgement.metrics;
+    entry.seconds = judged.seconds;
+    entry.rays_per_second = static_cast<double>(judged.ledger.rays()) / judged.ledger.seconds;
+    entry.spp = judged.image.provenance.spp;
+    for (const BounceCounts& bounce : judged.ledger.bounces)
+        if (bounce.lanes > 0) entry.lanes_alive.push_back(lanes_alive(bounce));
+    return entry;
+}
+
+std::string machine_line() {
+    return fmt::format("{} host threads, compiler {}, {:%Y-%m-%d}", std::thread::hardware_concurrency(),
+                       __VERSION__, fmt::localtime(std::time(nullptr)));
+}
+
+void print_row(const JudgedScene& judged) {
+    fmt::print("{:6} {:20} {:14} {:>5} spp {:>9} {:>9.2g}  {}\n", judged.passed ? "PASS" : "FAIL",
+               judged.scene, judged.lab, judged.image.provenance.spp, human_duration(judged.seconds),
+               judged.judgement.metrics.rel_mse, judged.passed ? "" : judged.judgement.verdict.sentence);
+    for (const ExpectationResult& expectation : judged.expectations)
+        if (!expectation.met) fmt::print("       {}\n", expectation.sentence);
+    if (judged.same_paths && !judged.same_paths->verdict.passed)
+        fmt::print("       {}\n", judged.same_paths->verdict.sentence);
+}
+
+ExitCode run_demo(const DemoOptions& options) {
+    const std::string html = options.folder + "/report.html", json = options.folder + "/results.json";
+    prepare_output(html);
+    Report report{"raylab demo", machine_line(), {}};
+    bool passed = true;
+    if (!options.json)
+        fmt::print("{:6} {:20} {:14} {:>9} {:>9} {:>9}\n", "", "scene", "lab", "samples", "tracing",
+                   "relMSE");
+    Progress progress("demo", static_cast<int>(options.scenes.size() * labs().size()), "renders", 1);
+    int done = 0;
+    for (const std::string& name : options.scenes) {
+        const Scene scene = load_scene(find_scene(name));
+        const Image reference = load_reference(scene);
+        std::optional<JudgedScene> before;
+        for (const Lab& lab : labs()) {
+            JudgedScene judged =
+                judge_scene(lab, scene, reference, options.machine, options.seed);
+            if (before) judge_against(judged, *before);
+            passed = passed && judged.passed;
+            progress.clear();
+            if (!options.json) print_row(judged);
+            report.entries.push_back(report_entry(judged, reference));
+            before = std::move(judged);
+            progress.update(++done);
+        }
+    }
+    write_html(report, html);
+    write_json(report, json);
+    if (options.json)
+        fmt::print("{}", to_json(report));
+    else
+        fmt::print("{} in {}; see {}\n", passed ? "all passed" : "NOT all passed",
+                   human_duration(progress.seconds()), html);
+    return passed ? ExitCode::success : ExitCode::judged_failed;
+}
+
+} // namespace
+
+Run add_demo(CLI::App& app) {
+    auto options = std::make_shared<DemoOptions>();
+    app.description("Render the bundled scenes with every lab, judge each image, write a report.");
+    app.add_option("SCENES", options->scenes, "scenes (default: all bundled)");
+    app.add_option("-o,--output", options->folder, "folder for report.html and results.json")
+        ->capture_default_str();
+    app.add_option("--seed", options->seed, "seed of the first replicate")->capture_default_str();
+    app.add_flag("--json", options->json, "print results.json instead of the table");
+    add_machine_options(app, options->machine);
+    app.footer("Examples:\n  raylab demo\n  raylab demo cornell whitted -o out/two");
+    return [options] {
+        if (options->scenes.empty()) options->scenes = bundled_scenes();
+        return run_demo(*options);
+    };
+}
+
+} // namespace raylab::app

@@ -1,0 +1,212 @@
+// The program as a person meets it: wrong input gets one clear message, the right exit code, and
+// leaves no partial file behind.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string text; // standard output and standard error
+};
+
+// Runs `raylab ARGUMENTS` in a shell.
+Outcome raylab(const std::string& arguments) {
+    const std::string command = std::string(RAYLAB_PROGRAM) + " " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    Outcome outcome{-1, ""};
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+        outcome.text.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+class Cli : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "raylab-cli-XXXXXX").string();
+        folder = mkdtemp(pattern.data());
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::string in(const std::string& name) const { return (folder / name).string(); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(in(name)) << text;
+    }
+
+    // A legal scene in which one part can be replaced.
+    void write_scene(const std::string& name, const std::string& from = "",
+                     const std::string& to = "") const {
+        std::string text = R"({
+    "version": 1, "title": "t", "reason": "r",
+    "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40},
+    "film": {"width": 8, "height": 8},
+    "render": {"max_depth": 4, "spp": 1},
+    "materials": {"white": {"kind": "diffuse", "reflectance": [0.8, 0.8, 0.8]}},
+    "shapes": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white"}],
+    "lights": [{"kind": "environment", "radiance": [1, 1, 1]}]
+})";
+        if (!from.empty()) {
+            const std::size_t at = text.find(from);
+            ASSERT_NE(at, std::string::npos) << from;
+            text.replace(at, from.size(), to);
+        }
+        write(name, text);
+    }
+
+    void expect_refused(const std::string& arguments, const std::vector<std::string>& words) const {
+        const Outcome outcome = raylab(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
+        for (const std::string& word : words)
+            EXPECT_NE(outcome.text.find(word), std::string::npos)
+                << arguments << "\nshould say: " << word << "\nsaid: " << outcome.text;
+        EXPECT_FALSE(fs::exists(in("o.exr"))) << arguments;
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Cli, RendersALegalScene) {
+    write_scene("s.json");
+    for (const std::string lab : {"01", "02"}) {
+        const Outcome outcome = raylab("render " + lab + " " + in("s.json") + " -o " + in("o.exr"));
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        EXPECT_TRUE(fs::exists(in("o.exr")));
+    }
+}
+
+TEST_F(Cli, WrongScenesAreRefusedWithTheirPlace) {
+    const struct {
+        std::string from, to;
+        std::vector<std::string> words;
+    } cases[] = {
+        {"\"radius\"", "\"raduis\"", {"s.json:8:", "/shapes/0", "raduis", "did you mean", "radius"}},
+        {"\"radius\": 1", "\"radius\": -1", {"s.json:8:", "/shapes/0/radius"}},
+        {"\"radius\": 1", "\"radius\": NaN", {"s.json:8:"}},
+        {"\"radius\": 1", "\"radius\": 1e999", {"s.json:8:"}},
+        {"\"material\": \"white\"", "\"material\": \"whit\"", {"/shapes/0/material", "white"}},
+        {"\"width\": 8, \"height\": 8", "\"width\": 0, \"height\": 0", {"s.json:4:", "/film/width"}},
+        {"\"width\": 8, \"height\": 8", "\"width\": 100000, \"height\": 100000", {"/film/width"}},
+        {"\"spp\": 1", "\"spp\": 0", {"s.json:5:", "/render/spp"}},
+        {"\"max_depth\": 4", "\"max_depth\": 0", {"s.json:5:", "/render/max_depth"}},
+        {"\"up\": [0, 1, 0]", "\"up\": [0, 0, 3]", {"s.json:3:", "/camera/up"}},
+        {"\"look_at\": [0, 0, 0]", "\"look_at\": [0, 0, 5]", {"/camera/look_at"}},
+        {"\"kind\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1",
+         "\"kind\": \"mesh\", \"file\": \"none.obj\"",
+         {"/shapes/0/file", "none.obj"}},
+        {"\"version\": 1", "\"version\": 2", {"/version"}},
+    };
+    for (const auto& wrong : cases) {
+        write_scene("s.json", wrong.from, wrong.to);
+        expect_refused("render 02 " + in("s.json") + " -o " + in("o.exr"), wrong.words);
+    }
+}
+
+TEST_F(Cli, TruncatedPicturesAreRefused) {
+    write_scene("s.json", R"("kind": "environment", "radiance": [1, 1, 1])",
+                R"("kind": "environment", "file": "sky.hdr")");
+    write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n\x02\x02");
+    expect_refused("render 02 " + in("s.json") + " -o " + in("o.exr"), {"sky.hdr"});
+    write("a.exr", "\x76\x2f\x31\x01 and no more");
+    expect_refused("compare " + in("a.exr") + " " + in("a.exr"), {"a.exr"});
+    expect_refused("compare " + in("none.exr") + " " + in("a.exr"), {"none.exr"});
+}
+
+TEST_F(Cli, WrongSettingsOnTheCommandLineAreRefused) {
+    write_scene("s.json");
+    const std::string render = "render 02 " + in("s.json") + " -o " + in("o.exr");
+    expect_refused(render + " --spp 0", {"spp"});
+    expect_refused(render + " --depth 0", {"max_depth"});
+    expect_refused(render + " --depth 10001", {"max_depth"});
+    expect_refused(render + " --width 0", {"width"});
+    expect_refused(render + " --width 100000 --height 100000", {"width"});
+    expect_refused(render + " --integrator whitted --depth 10000", {"max_depth"});
+    expect_refused(render + " --block 2000", {"--block"});
+    expect_refused(render + " --sampler halton", {"--sampler"});
+    expect_refused(render + " --nonsense", {"--nonsense"});
+    expect_refused("render 07 " + in("s.json"), {"no lab '07'", "02_iterative"});
+    expect_refused("render 02 cornel -o " + in("o.exr"), {"cornell"});
+    expect_refused("render 02 " + in("s.json") + " -o " + in("o.gif"), {".exr"});
+    expect_refused("nonsense", {});
+    expect_refused("", {});
+}
+
+TEST_F(Cli, OddButLegalScenesRender) {
+    const struct {
+        std::string from, to;
+    } cases[] = {
+        {R"([{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white"}])", "[]"},
+        {R"([{"kind": "environment", "radiance": [1, 1, 1]}])", "[]"},
+        {"\"radius\": 1", "\"radius\": 9"}, // the camera is inside
+        {"\"max_depth\": 4", "\"max_depth\": 10000"},
+    };
+    for (const auto& odd : cases) {
+        write_scene("s.json", odd.from, odd.to);
+        for (const std::string lab : {"01", "02"}) {
+            const Outcome outcome =
+                raylab("render " + lab + " " + in("s.json") + " -o " + in("o.exr"));
+            EXPECT_EQ(outcome.code, 0) << odd.to << "\n" << outcome.text;
+        }
+    }
+}
+
+TEST_F(Cli, FullDiskLeavesNoFile) {
+    write_scene("s.json");
+    const Outcome full = raylab("render 02 " + in("s.json") + " -q --stats /dev/full -o " + in("o.exr"));
+    EXPECT_EQ(full.code, 3) << full.text;
+    EXPECT_NE(full.text.find("/dev/full"), std::string::npos) << full.text;
+}
+
+// Root may write anywhere, so the folder is one that nobody may write to.
+TEST_F(Cli, ReadOnlyPlacesAreRefusedBeforeTheWork) {
+    write_scene("s.json");
+    const Outcome outcome = raylab("render 02 " + in("s.json") + " -o /proc/raylab/o.exr");
+    EXPECT_TRUE(outcome.code == 2 || outcome.code == 3) << outcome.text;
+    EXPECT_NE(outcome.text.find("/proc/raylab"), std::string::npos) << outcome.text;
+}
+
+TEST_F(Cli, ImagesOfOneSceneAgreeAndOfAnotherDoNot) {
+    write_scene("s.json");
+    write_scene("t.json", "0.8, 0.8, 0.8", "0.6, 0.8, 0.8");
+    raylab("render 02 " + in("s.json") + " --spp 64 -o " + in("a.exr"));
+    raylab("render 01 " + in("s.json") + " --spp 64 --seed 2 -o " + in("b.exr"));
+    raylab("render 02 " + in("t.json") + " --spp 64 --seed 3 -o " + in("c.exr"));
+    EXPECT_EQ(raylab("compare " + in("a.exr") + " " + in("b.exr")).code, 0);
+    EXPECT_EQ(raylab("compare " + in("a.exr") + " " + in("c.exr")).code, 1);
+}
+
+// The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their own.
+TEST_F(Cli, SnapshotsAreTheImagesOfShorterRuns) {
+    write_scene("s.json");
+    const std::string scene = in("s.json");
+    raylab("render 02 " + scene + " --spp 20 --snapshots 1,5 -o " + in("run.exr"));
+    raylab("render 02 " + scene + " --spp 5 -o " + in("five.exr"));
+    ASSERT_TRUE(fs::exists(in("run_0001.exr")) && fs::exists(in("run_0005.exr")));
+    const Outcome outcome = raylab("compare --json " + in("run_0005.exr") + " " + in("five.exr"));
+    EXPECT_NE(outcome.text.find("\"equal\": true"), std::string::npos) << outcome.text;
+}
+
+TEST_F(Cli, HelpHasExamplesAndAPipeHasNoProgressLines) {
+    for (const std::string command : {"render", "compare", "reference", "scenes", "demo"}) {
+        const Outcome outcome = raylab(command + " --help");
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_NE(outcome.text.find("Examples"), std::string::npos) << command;
+    }
+    write_scene("s.json");
+    const Outcome outcome = raylab("render 02 " + in("s.json") + " -q --spp 64 -o " + in("o.exr"));
+    EXPECT_EQ(outcome.text, "");
+}
+
+} // namespace

@@ -1,0 +1,23 @@
+
+# Consider dependencies only in project.
+set(CMAKE_DEPENDS_IN_PROJECT_ONLY OFF)
+
+# The set of languages for which implicit dependencies are needed:
+set(CMAKE_DEPENDS_LANGUAGES
+  )
+
+# The set of dependency files which are needed:
+set(CMAKE_DEPENDS_DEPENDENCY_FILES
+  "/tmp/js/grader/report/tests/report_test.cpp" "grader/report/CMakeFiles/report_test.dir/tests/report_test.cpp.o" "gcc" "grader/report/CMakeFiles/report_test.dir/tests/report_test.cpp.o.d"
+  )
+
+# Targets to which this target links.
+set(CMAKE_TARGET_LINKED_INFO_FILES
+  "/tmp/js/grader/report/CMakeFiles/raylab_report.dir/DependInfo.cmake"
+  "/tmp/js/common/image/CMakeFiles/raylab_image.dir/DependInfo.cmake"
+  "/tmp/js/common/cli/CMakeFiles/raylab_cli.dir/DependInfo.cmake"
+  "/tmp/js/grader/judge/CMakeFiles/raylab_judge.dir/DependInfo.cmake"
+  )
+
+# Fortran module output directory.
+set(CMAKE_Fortran_TARGET_MODULE_DIR "")

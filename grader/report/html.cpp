@@ -1,0 +1,85 @@
+#include "grader/report/html.h"
+
+#include "common/image/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+namespace {
+
+std::string base64(std::string_view bytes) {
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    const auto at = [&](std::size_t i) -> unsigned {
+        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
+    };
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const unsigned v = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
+        for (int k = 0; k < 4; ++k) text += digits[v >> (18 - 6 * k) & 63];
+    }
+    for (std::size_t pad = 0; pad < (3 - bytes.size() % 3) % 3; ++pad)
+        text[text.size() - 1 - pad] = '=';
+    return text;
+}
+
+std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f)); }
+
+} // namespace
+
+std::string escape_html(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        case '\'':
+            out += "&#39;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string escape_script_json(std::string json) {
+    for (std::size_t i = 0; (i = json.find('<', i)) != std::string::npos;)
+        json.replace(i, 1, "\\u003c");
+    return json;
+}
+
+std::string radiance_png(const Image& image) {
+    const auto width = static_cast<std::size_t>(image.width);
+    std::vector<Rgb8> pixels(2 * image.pixels());
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        Rgb8& mantissa = pixels[i / width * 2 * width + i % width];
+        Rgb8& exponent = pixels[i / width * 2 * width + width + i % width];
+        const Vec3 v = image.mean[i];
+        if (!is_finite(v)) {
+            exponent = {255, 255, 255};
+            continue;
+        }
+        int e = 0;
+        std::frexp(max_component(v), &e); // largest = f 2^e, f in [0.5, 1)
+        e = std::clamp(e, -127, 126);
+        if (max_component(v) <= 0) e = -127;
+        for (int c = 0; c < 3; ++c)
+            mantissa[static_cast<std::size_t>(c)] = byte(std::ldexp(v[c], 8 - e));
+        exponent.fill(static_cast<std::uint8_t>(e + 128));
+    }
+    return "data:image/png;base64," + base64(encode_png(2 * image.width, image.height, pixels));
+}
+
+} // namespace raylab

@@ -1,0 +1,24 @@
+// The little that is needed to write HTML: escaping, and pictures as data addresses.
+#pragma once
+
+#include "common/image/image.h"
+
+#include <string>
+#include <string_view>
+
+namespace raylab {
+
+// Text as it may stand between tags and inside quoted attributes.
+std::string escape_html(std::string_view text);
+
+// JSON as it may stand inside <script>: no '<' can close the element.
+std::string escape_script_json(std::string json);
+
+// "data:image/png;base64,..." of an image in full range: twice as wide as the image, the left half
+// holds 8-bit mantissas R, G, B, the right half their shared exponent e in all channels:
+//     value = mantissa * 2^(e - 136), e = 255: not a number.
+// Opaque, since browsers change colours under transparency. The page's script decodes it, so that
+// exposure and pixel values work on radiance.
+std::string radiance_png(const Image& image);
+
+} // namespace raylab

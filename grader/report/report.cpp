@@ -1,0 +1,56 @@
+// results.json, and both files to disk.
+#include "grader/report/report.h"
+
+#include "common/cli/files.h"
+#include "grader/judge/json.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace raylab {
+
+nlohmann::json report_json(const Report& report) {
+    using nlohmann::json;
+    json entries = json::array();
+    for (const ReportEntry& e : report.entries) {
+        json facts = json::object(), metrics;
+        for (const Fact& fact : e.facts) facts[fact.label] = fact.value;
+        if (e.image && e.reference) metrics = measure(*e.image, *e.reference);
+        entries.push_back({{"scene", e.scene},
+                           {"title", e.title},
+                           {"reason", e.reason},
+                           {"lab", e.lab},
+                           {"passed", e.passed},
+                           {"verdict", e.verdict},
+                           {"checks", e.checks},
+                           {"seconds", e.seconds},
+                           {"facts", facts},
+                           {"metrics", metrics},
+                           {"lanes_alive", e.lanes_alive},
+                           {"details", e.details}});
+    }
+    const bool passed = std::all_of(report.entries.begin(), report.entries.end(),
+                                    [](const ReportEntry& e) { return e.passed; });
+    return {{"version", 1},
+            {"title", report.title},
+            {"machine", report.machine},
+            {"command", report.command},
+            {"passed", passed},
+            {"entries", entries}};
+}
+
+void write_report(const Report& report, const std::string& folder) {
+    const std::filesystem::path path(folder);
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+        throw FileError("cannot make the folder '" + folder + "': " + error.message() +
+                        "; name another one");
+    write_file((path / "report.html").string(), report_html(report));
+    // Text of a student's program may be no UTF-8: it is replaced, not refused.
+    write_file((path / "results.json").string(),
+               report_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                   "\n");
+}
+
+} // namespace raylab
