@@ -8,6 +8,7 @@
 
 #include "common/image/image.h"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -33,5 +34,9 @@ void write_image(const Image& image, const std::string& path, float exposure = 0
 
 // The bytes of a PNG file, e.g. to embed in a report. Non-finite pixels are magenta.
 std::string encode_png(const Image& image, float exposure = 0);
+
+// The same for 8-bit R, G, B that are ready: width * height of them, top row first.
+using Rgb8 = std::array<std::uint8_t, 3>;
+std::string encode_png(int width, int height, const std::vector<Rgb8>& pixels);
 
 } // namespace raylab

@@ -36,13 +36,17 @@ Image sized_by_header(const std::string& bytes) {
 
 } // namespace
 
-std::string encode_png(const Image& image, float exposure) {
-    std::vector<std::array<std::uint8_t, 3>> rgb(image.pixels());
-    for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = display_rgb8(image.mean[i], exposure);
+std::string encode_png(int width, int height, const std::vector<Rgb8>& pixels) {
     std::string bytes;
-    stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(),
-                           3 * image.width);
+    stbi_write_png_to_func(append, &bytes, width, height, 3, pixels.data(), 3 * width);
     return bytes;
+}
+
+std::string encode_png(const Image& image, float exposure) {
+    std::vector<Rgb8> pixels(image.pixels());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = display_rgb8(image.mean[i], exposure);
+    return encode_png(image.width, image.height, pixels);
 }
 
 Image formats::decode_png(const std::string& bytes) {

@@ -1,0 +1,3 @@
+file(REMOVE_RECURSE
+  "libraylab_image.a"
+)
