@@ -13,16 +13,16 @@ struct Words {
 };
 
 // A bijection of 128 bits: two inputs that differ anywhere give two outputs that look unrelated.
-// A step of a congruential generator on each word, then each word is mixed into the next. Products
-// carry upwards only, so between the rounds a shift brings high bits back down. The paper has two
-// rounds; the third is for the upper seven bits of each word, which two leave almost unmixed: there
+// A step of a congruential generator on each word, then each word is mixed into the next, twice.
+// Products carry upwards only, so before each round a shift brings high bits down. The paper shifts
+// before the second round alone, which leaves the upper seven bits of each word almost unmixed:
 // seeds 1 and 0x80000001 would give nearly the same image.
 HD Words pcg4d(Words v) {
     v.x = v.x * 1664525u + 1013904223u;
     v.y = v.y * 1664525u + 1013904223u;
     v.z = v.z * 1664525u + 1013904223u;
     v.w = v.w * 1664525u + 1013904223u;
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 2; ++round) {
         v.x ^= v.x >> 16, v.y ^= v.y >> 16, v.z ^= v.z >> 16, v.w ^= v.w >> 16;
         v.x += v.y * v.w, v.y += v.z * v.x, v.z += v.x * v.y, v.w += v.y * v.z;
     }

@@ -160,6 +160,34 @@ TEST(Environment, estimates_are_unbiased_up_to_the_poles) {
     EXPECT_NEAR(x.mean(), truth.z, 4 * x.standard_error() + 1e-4);
 }
 
+// A small sun at either pole of a fine map: the directions must still tell its texels apart, which
+// heights measured from the other pole cannot (1 - cos there has 5 values left in a row).
+TEST(Environment, directions_keep_their_digits_at_both_poles) {
+    constexpr int width = 64, height = 2048;
+    for (const int row : {0, 1, height - 2, height - 1}) {
+        std::vector<Vec3> texels(width * height, Vec3(0));
+        for (int c = 0; c < width; ++c) texels[row * width + c] = Vec3(1);
+        test::LightScene scene;
+        scene.add(width, height, texels);
+        const SceneView view = scene.view();
+        test::Random random(6);
+        int elsewhere = 0;
+        std::vector<double> halves(2);
+        for (int i = 0; i < 20'000; ++i) {
+            const Vec3 d = sample_light<F>(view, 0, Vec3(0), random.square()).wi;
+            elsewhere += environment_texel(view.environment, d).row != row;
+            // Inside the row: solid angle grows as theta^2 from the pole.
+            const double edge = row < 2 ? row : height - 1 - row, t = M_PI / height;
+            const double theta =
+                std::atan2(std::hypot(double(d.x), double(d.z)), std::abs(double(d.y)));
+            const double part = (theta * theta / (t * t) - edge * edge) / (2 * edge + 1);
+            ++halves[part > 0.5];
+        }
+        EXPECT_LT(elsewhere, 20) << "row " << row;
+        EXPECT_GT(test::chi_square_uniform_p(halves), 1e-4) << "row " << row; // false alarm 1e-4
+    }
+}
+
 TEST(Environment, a_density_in_uv_would_be_infinite_at_the_pole) {
     const test::LightScene scene = hard_map();
     const float pdf = light_pdf<F>(scene.view(), 0, Vec3(0), Vec3(0, 1, 0), Vec3(0), Vec3(0));

@@ -100,7 +100,7 @@ TEST(RngCorr, a_raw_seed_and_wang_hash_are_caught) {
 }
 
 // pcg4d: flipping one bit of the input flips each output bit of the upper 24 with probability 1/2.
-// Two rounds of mixing, as published, fail on bits 25 to 31 of each word.
+// Without the shift before the first round bits 25 to 31 of each word fail.
 // 128 * 48 frequencies over 4096 keys, standard deviation 1/128; the worst of 6144 should stay
 // below 6 of them (false alarm 1e-5).
 TEST(RngCorr, one_bit_of_the_key_changes_half_of_the_bits) {
