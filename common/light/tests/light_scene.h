@@ -51,8 +51,11 @@ struct LightScene {
         lights.push_back({LightKind::environment, -1, Vec3(0), Vec3(0)});
     }
 
+    template <class T> static Array<T> array(const std::vector<T>& v) {
+        return {v.data(), int(v.size())};
+    }
+
     SceneView view() const {
-        const auto array = [](const auto& v) { return Array{v.data(), int(v.size())}; };
         SceneView view{};
         view.spheres = array(spheres), view.quads = array(quads), view.triangles = array(triangles);
         view.materials = array(materials), view.lights = array(lights);
