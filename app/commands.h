@@ -10,5 +10,6 @@ Run add_render(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_reference(CLI::App& app);
 Run add_scenes(CLI::App& app);
+Run add_export(CLI::App& app);
 
 } // namespace raylab::app

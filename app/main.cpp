@@ -1,7 +1,6 @@
 // raylab: the program behind the script of the same name.
 #include "app/commands.h"
 #include "app/options.h"
-#include "common/cli/files.h"
 #include "common/image/image_file.h"
 #include "common/scene/scene_error.h"
 
@@ -21,6 +20,7 @@ struct Command {
 constexpr Command commands[] = {
     {"demo", add_demo},         {"render", add_render}, {"compare", add_compare},
     {"reference", add_reference}, {"scenes", add_scenes},
+    {"export", add_export},
 };
 
 // Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.
@@ -60,9 +60,6 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "raylab: {}\n", error.what());
         return static_cast<int>(ExitCode::bad_usage);
     } catch (const raylab::ImageError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const raylab::FileError& error) {
         fmt::print(stderr, "raylab: {}\n", error.what());
         return static_cast<int>(ExitCode::bad_usage);
     } catch (const std::exception& error) {

@@ -1,0 +1,26 @@
+// A scene as Mitsuba 3 reads it, so that a renderer that shares no code with ours can be asked for
+// the same picture. https://mitsuba.readthedocs.io, XML scene format, version 3.
+//
+// Where the two differ, and what is done about it:
+//   lights      Mitsuba's area lights shine from one side: a second face lies close behind each.
+//   planes      have no end here; there they become squares 65536 times as large as the rest.
+//   maps        the sky is piecewise constant here and interpolated there: it is written 8 times as
+//               fine, with the edges of our texels half way up the ramps.
+//   glass       there radiance is divided by eta^2 on entering. Out again it is the same, but a
+//               light inside glass would differ.
+// Refused: Phong (Mitsuba 3 has none), Schlick's approximation, the whitted integrator, glowing
+// glass, glowing surfaces with shading normals.
+#pragma once
+
+#include "common/scene/scene.h"
+
+namespace raylab::app {
+
+struct ExportedFile {
+    std::string name, bytes;
+};
+
+// scene.xml and what it names. Throws UsageError with one sentence about what Mitsuba cannot say.
+std::vector<ExportedFile> mitsuba_files(const Scene& scene);
+
+} // namespace raylab::app
