@@ -10,13 +10,11 @@ namespace {
 
 // Appends the running sums of the weights over their total; equal shares if all are 0.
 void append_cdf(const std::vector<double>& weights, std::vector<float>& cdf) {
-    double total = 0;
+    double total = 0, sum = 0;
     for (const double w : weights) total += w;
-    double sum = 0;
-    for (const double w : weights) {
-        cdf.push_back(
-            float(total > 0 ? sum / total : double(&w - weights.data()) / double(weights.size())));
-        sum += w;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        cdf.push_back(float(total > 0 ? sum / total : double(i) / double(weights.size())));
+        sum += weights[i];
     }
     cdf.push_back(1);
 }

@@ -76,11 +76,10 @@ Picture decode_picture(std::string_view bytes, const std::string& name) {
         fail(cut ? "the image ends too early: the file was cut off; write or copy it again"
                  : "expected a PNG, JPEG or Radiance HDR image, found something else");
     }
-    if (width > max_picture_side || height > max_picture_side ||
+    if (width < 1 || height < 1 || width > max_picture_side || height > max_picture_side ||
         width > max_picture_texels / height)
         fail(fmt::format(
-            "expected an image of at most {} texels a side and {} in all, found {} x {}; "
-            "scale it down",
+            "expected an image of 1 to {} texels a side and at most {} in all, found {} x {}",
             max_picture_side, max_picture_texels, width, height));
 
     Picture picture{width, height, std::vector<Vec3>(std::size_t(width) * height)};

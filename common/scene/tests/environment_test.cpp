@@ -1,0 +1,136 @@
+// Environment maps: their tables, and images that end too early.
+#include "common/scene/environment_map.h"
+
+#include "common/scene/jpeg_tables.h"
+#include "common/scene/tests/scene_files.h"
+
+#include <numbers>
+#include <random>
+
+namespace raylab {
+namespace {
+
+double texel_probability(const EnvironmentCdf& cdf, int width, int x, int y) {
+    const std::size_t row = std::size_t(y) * (width + 1) + x;
+    return (double(cdf.row[y + 1]) - cdf.row[y]) * (double(cdf.column[row + 1]) - cdf.column[row]);
+}
+
+void expect_tables(const EnvironmentCdf& cdf, int width, int height) {
+    ASSERT_EQ(cdf.row.size(), std::size_t(height) + 1);
+    ASSERT_EQ(cdf.column.size(), std::size_t(height) * (width + 1));
+    const auto expect_cdf = [](const float* begin, int count) {
+        EXPECT_EQ(begin[0], 0);
+        EXPECT_EQ(begin[count], 1);
+        for (int i = 0; i < count; ++i) EXPECT_LE(begin[i], begin[i + 1]);
+    };
+    expect_cdf(cdf.row.data(), height);
+    for (int y = 0; y < height; ++y)
+        expect_cdf(cdf.column.data() + std::size_t(y) * (width + 1), width);
+}
+
+TEST(EnvironmentCdf, IsProportionalToLuminanceTimesSolidAngle) {
+    constexpr int width = 16, height = 8;
+    std::mt19937 random(3);
+    std::exponential_distribution<float> light(1);
+    Picture map{width, height, {}};
+    for (int i = 0; i < width * height; ++i)
+        map.texels.emplace_back(light(random), light(random), light(random));
+    for (int x = 0; x < width; ++x) map.texels[3 * width + x] = Vec3(0); // a black row
+    const EnvironmentCdf cdf = environment_cdf(map);
+    expect_tables(cdf, width, height);
+
+    // The solid angle of a texel exactly: (2 pi / width) (cos(top) - cos(bottom)), which is
+    // sin(middle) times a constant.
+    double total = 0, sum = 0, worst_without_sine = 0, total_without_sine = 0;
+    const auto weight = [&](int x, int y) {
+        const double step = std::numbers::pi / height;
+        return luminance(map.texels[y * width + x]) *
+               (std::cos(y * step) - std::cos((y + 1) * step));
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            total += weight(x, y);
+            total_without_sine += luminance(map.texels[y * width + x]);
+        }
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double p = texel_probability(cdf, width, x, y);
+            EXPECT_NEAR(p, weight(x, y) / total, 2e-7) << x << ' ' << y;
+            worst_without_sine =
+                std::max(worst_without_sine,
+                         std::fabs(p - luminance(map.texels[y * width + x]) / total_without_sine));
+            sum += p;
+        }
+    EXPECT_NEAR(sum, 1, 1e-6);
+    EXPECT_GT(worst_without_sine, 1e-3) << "without the sine the test must fail";
+    EXPECT_EQ(cdf.row[3], cdf.row[4]) << "a black row is never chosen";
+}
+
+TEST(EnvironmentCdf, OfABlackMapCoversTheSphereEvenly) {
+    const EnvironmentCdf cdf = environment_cdf({4, 2, std::vector<Vec3>(8, Vec3(0))});
+    expect_tables(cdf, 4, 2);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 4; ++x) EXPECT_NEAR(texel_probability(cdf, 4, x, y), 1 / 8.0, 1e-7);
+}
+
+TEST(EnvironmentCdf, SurvivesOneTexelAsBrightAsTheSun) {
+    Picture map{1024, 2, std::vector<Vec3>(2048, Vec3(1e-3f))};
+    map.texels[1500] = Vec3(1e30f);
+    expect_tables(environment_cdf(map), 1024, 2);
+}
+
+TEST(EnvironmentMap, IsReadWithItsTopRowFirst) {
+    TemporaryFolder folder;
+    // RGBE (128, 64, 32, 129) is (1, 0.5, 0.25); (128, 128, 128, 128) is 0.5.
+    folder.write("sky.hdr", hdr(1, 2, std::string("\x80\x40\x20\x81\x80\x80\x80\x80", 8)));
+    const Scene scene = load(
+        with(
+            good_scene, R"({"kind": "point", "position": [0, 5, 0], "intensity": [1, 1, 1]})",
+            R"({"kind": "environment", "file": "sky.hdr", "scale": 3}, {"kind": "point", "position": [0, 5, 0], "intensity": [1, 1, 1]})"),
+        folder);
+    EXPECT_EQ(scene.environment_width, 1);
+    EXPECT_EQ(scene.environment_height, 2);
+    EXPECT_EQ(scene.environment_map.at(0), Vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(scene.environment_map.at(1), Vec3(0.5f));
+    EXPECT_EQ(scene.environment_radiance, Vec3(3));
+    EXPECT_EQ(scene.environment_light, 2) << "the last light, wherever it stands in the file";
+    EXPECT_EQ(scene.lights.back().kind, LightKind::environment);
+}
+
+TEST(Picture, ThatEndsTooEarlyIsAnError) {
+    const std::string whole = png(3, 3, std::string(27, '\x33'));
+    EXPECT_EQ(decode_picture(whole, "p").texels.size(), 9u);
+    for (std::size_t size = 0; size < whole.size() - 12; ++size) // the last chunk carries nothing
+        EXPECT_THROW(decode_picture(whole.substr(0, size), "p"), SceneError) << size;
+    const std::string map = hdr(4, 2, std::string(32, '\x80'));
+    EXPECT_EQ(decode_picture(map, "p").texels.size(), 8u);
+    for (std::size_t size = 0; size < map.size(); ++size)
+        EXPECT_THROW(decode_picture(map.substr(0, size), "p"), SceneError) << size;
+    // Run lengths that never come: the library alone would wait for them for ever.
+    EXPECT_THROW(decode_picture(hdr(8, 1, std::string("\2\2\0\x08\x88", 5)), "p"), SceneError);
+}
+
+TEST(Picture, OfNoSizeOrTooLargeOneIsAnError) {
+    EXPECT_THROW(decode_picture(hdr(8, 0, ""), "p"), SceneError);
+    EXPECT_THROW(decode_picture(hdr(0, 8, ""), "p"), SceneError);
+    EXPECT_THROW(decode_picture(hdr(16385, 1, ""), "p"), SceneError);
+    EXPECT_NE(error_of([] { decode_picture(hdr(16384, 16384, ""), "p"); }).find("16384 x 16384"),
+              std::string::npos);
+}
+
+TEST(Jpeg, HuffmanTablesOfMoreThan256CodesAreRefused) {
+    const auto file = [](char codes_of_each_length) {
+        const std::string table = '\0' + std::string(16, codes_of_each_length) +
+                                  std::string(std::size_t(16 * codes_of_each_length), '\1');
+        const std::size_t length = table.size() + 2;
+        return "\xFF\xD8\xFF\xC4" + std::string{char(length >> 8), char(length & 255)} + table;
+    };
+    EXPECT_TRUE(huffman_tables_fit(file(16)));
+    EXPECT_FALSE(huffman_tables_fit(file(17)));
+    EXPECT_TRUE(huffman_tables_fit(with(file(17), "\xFF\xC4", "\xFF\xE1")))
+        << "in application data anything may stand";
+    EXPECT_NE(error_of([&] { decode_picture(file(17), "p"); }).find("Huffman"), std::string::npos);
+}
+
+} // namespace
+} // namespace raylab
