@@ -1,3 +1,4 @@
+// Every region and channel of two images, each error taken from the image's own variance.
 #include "grader/judge/compare.h"
 
 #include <fmt/format.h>

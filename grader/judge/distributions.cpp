@@ -1,3 +1,4 @@
+// Student's t by Boost.Math (incomplete beta function); F(2, n) has a closed form.
 #include "grader/judge/distributions.h"
 
 #include <boost/math/distributions/normal.hpp>

@@ -1,3 +1,4 @@
+// One rule for images and ids: agree, or hold a neighbour's value at an edge, or be wrong.
 #include "grader/judge/exact.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Facts about noise: medians and signs, so that no single firefly speaks for an image.
 #include "grader/judge/honesty.h"
 
 #include <fmt/format.h>

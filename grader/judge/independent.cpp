@@ -1,3 +1,4 @@
+// The two stages of tier 2, and the sentence that says what they found.
 #include "grader/judge/independent.h"
 
 #include "grader/judge/distributions.h"
@@ -11,10 +12,11 @@ namespace {
 
 bool same_sign(double a, double b) { return (a > 0) == (b > 0); }
 
-// "1 in 4 million".
-std::string one_in(double rate) {
+// "once in 4 million".
+std::string once_in(double rate) {
     const double n = 1 / rate;
-    return n >= 1e6 ? fmt::format("1 in {:.3g} million", n / 1e6) : fmt::format("1 in {:.0f}", n);
+    return n >= 1e6 ? fmt::format("once in {:.3g} million", n / 1e6)
+                    : fmt::format("once in {:.0f}", n);
 }
 
 std::string difference_sentence(const RegionTest& worst, const Region& whole) {
@@ -30,7 +32,7 @@ std::string difference_sentence(const RegionTest& worst, const Region& whole) {
     const double a = glm::dot(luminance_weights, worst.image);
     const double b = glm::dot(luminance_weights, worst.reference);
     if (b == 0) return fmt::format("There is light {} where there should be none", where);
-    return fmt::format("The image is too {} by {:.2f} +- {:.2f} % {}", a > b ? "bright" : "dark",
+    return fmt::format("The image is too {} by {:.2f} ± {:.2f} % {}", a > b ? "bright" : "dark",
                        100 * std::abs(a - b) / b, 100 * worst.standard_error / b, where);
 }
 
@@ -80,10 +82,10 @@ void conclude(IndependentResult& result, bool passed, const Image& reference) {
             result.second ? fmt::format(", again {:.1f} with fresh seeds", result.second->statistic)
                           : "";
         verdict.sentence =
-            fmt::format("{} ({} = {:.1f}{}; a correct renderer fails so {}).",
+            fmt::format("{} ({} = {:.1f}{}; a correct renderer does so at most {}).",
                         difference_sentence(s.worst, {0, 0, reference.width, reference.height}),
                         s.worst.chroma ? "T2" : "t", s.worst.test.statistic, twice,
-                        one_in(result.false_alarm_rate));
+                        once_in(result.false_alarm_rate));
         return;
     }
     verdict.sentence = fmt::format(

@@ -1,3 +1,4 @@
+// One function a result; names are spelt out, since programs of others read them.
 #include "grader/judge/json.h"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// Sums over pixels for the error measures, and over tiles for the z-map.
 #include "grader/judge/metrics.h"
 
 #include "grader/judge/moments.h"

@@ -1,3 +1,4 @@
+// Moments over replicates, and of a reference whose file holds a variance a pixel and channel.
 #include "grader/judge/moments.h"
 
 #include <algorithm>

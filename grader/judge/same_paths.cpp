@@ -1,3 +1,4 @@
+// Pixel by pixel for images; sample by sample and surface by surface for the first difference.
 #include "grader/judge/same_paths.h"
 
 #include <fmt/format.h>

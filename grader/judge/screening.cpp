@@ -1,3 +1,4 @@
+// All regions of one stage, with the floor under their variance that the reference gives.
 #include "grader/judge/screening.h"
 
 #include <algorithm>

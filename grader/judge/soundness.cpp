@@ -1,3 +1,4 @@
+// One pass over the pixels; each bad pixel is counted under the first thing that is wrong with it.
 #include "grader/judge/soundness.h"
 
 #include <fmt/format.h>

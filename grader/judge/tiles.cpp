@@ -1,3 +1,4 @@
+// Geometry of tiles, and sums over blocks of them.
 #include "grader/judge/tiles.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The two tests, guarded against noise that is zero, tiny, or on one line of colour space.
 #include "grader/judge/welch.h"
 
 #include "grader/judge/distributions.h"

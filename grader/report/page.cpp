@@ -90,11 +90,10 @@ std::string lanes_chart(const std::vector<double>& alive) {
             : fmt::format(
                   "Lanes alive {} from {:.1f} % at the first bounce to {:.1f} % at bounce {}.",
                   moves, 100 * first, 100 * last, alive.size());
-    return fmt::format(
-        "<figure class=\"lanes\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" "
-        "aria-label=\"{2}\"><line x1=\"0\" y1=\"{1}\" x2=\"{0}\" y2=\"{1}\"/>{3}</svg>"
-        "<figcaption>{2}</figcaption></figure>\n",
-        width, height, escape_html(caption), bars);
+    return fmt::format("<figure class=\"lanes\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" "
+                       "aria-label=\"{2}\"><line x1=\"0\" y1=\"0\" x2=\"{0}\" y2=\"0\"/>{3}</svg>"
+                       "<figcaption>{2}</figcaption></figure>\n",
+                       width, height, escape_html(caption), bars);
 }
 
 // "Of 64 tiles 95 % have |z| below 1.9; the largest is +2.6."
@@ -180,7 +179,8 @@ std::string viewer(const ReportEntry& e, Pictures& pictures, nlohmann::json& vie
     return fmt::format(
         "<figure class=\"viewer\"><canvas class=\"stage\" width=\"{}\" height=\"{}\" "
         "tabindex=\"0\" "
-        "aria-label=\"{} by {}\"></canvas><p class=\"readout\">&nbsp;</p>"
+        "aria-label=\"{} by {}\"></canvas><p class=\"readout\">Point at a pixel to read its "
+        "radiance.</p>"
         "<div class=\"modes\">{}</div>"
         "<label class=\"exposure\">Exposure <input type=\"range\" min=\"-8\" max=\"8\" "
         "step=\"0.25\" value=\"0\"><output>0</output></label>"

@@ -142,7 +142,7 @@ class Viewer {
         this.slider.value = this.ev;
         this.article.querySelector(".exposure output").textContent =
             (this.ev > 0 ? "+" : "") + this.ev + " stops";
-        this.article.querySelector("figcaption").textContent = this.view.captions[this.mode];
+        this.article.querySelector(".viewer figcaption").textContent = this.view.captions[this.mode];
     }
 
     // The pixel under the pointer: its radiance on both sides; a press moves the slider.
