@@ -1,3 +1,4 @@
+// Escaping, base64, and the packing of radiance into an opaque 8-bit picture.
 #include "grader/report/html.h"
 
 #include "common/image/image_file.h"

@@ -48,8 +48,30 @@ TEST(Power, OnePercentTooBrightIsFoundEveryTime) {
     }
 }
 
-// judging.md's own figure: an error of 1 % at c = 0.5 needs about 145 samples a pixel on 32 x 32
-// tiles: ours confined to one such tile, 16 x 16 spp in the first stage.
+TEST(Power, ASuspicionThatFreshSeedsTurnRoundIsNotBelieved) {
+    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const auto r = judge_independent(
+        [&](std::uint32_t seed, int spp) {
+            const float scale = seed <= 16 ? 1.02f : 0.98f; // seeds 1 to 16: the first stage
+            return render(size, size, seed, spp, Noise::pixel, [&](int, int) { return scale; });
+        },
+        known);
+    ASSERT_TRUE(r.second.has_value());
+    EXPECT_LT(r.second->statistic, -5);
+    EXPECT_TRUE(r.verdict.passed) << r.verdict.sentence;
+    EXPECT_THAT(r.verdict.hints.back(), HasSubstr("not confirmed"));
+}
+
+TEST(Power, AReferenceThatIsTooNoisyIsSaid) {
+    Image known = reference(size, size, 99, Noise::pixel, 16);
+    for (Vec3& v : known.variance) v *= 64.0f;
+    known.provenance.spp /= 64;
+    const auto r = judge_replicates(replicates(size, size, 1, 16, Noise::pixel), known);
+    EXPECT_THAT(r.verdict.hints.at(0), HasSubstr("the reference's own"));
+}
+
+// An error of 1 % at c = 0.5 needs about 145 samples a pixel on 32 x 32 tiles; here it is confined to
+// one of them, with 256 samples in the first stage.
 TEST(Power, OnePercentInOneBlockIsFound) {
     int found = 0;
     for (std::uint32_t seed = 0; seed < 10; ++seed)
