@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "common/cli/progress.h"
 #include "common/scene/load.h"
+#include "grader/judge/json.h"
 #include "grader/report/report.h"
 
 #include <fmt/chrono.h>
@@ -24,24 +25,30 @@ struct DemoOptions {
 };
 
 ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {
+    const IndependentResult& judgement = judged.judgement;
     ReportEntry entry;
-    entry.lab = judged.lab;
     entry.scene = judged.scene;
     entry.title = judged.title;
     entry.reason = judged.reason;
+    entry.lab = judged.lab;
     entry.passed = judged.passed;
-    entry.sentence = judged.judgement.verdict.sentence;
-    entry.hints = judged.judgement.verdict.hints;
+    entry.verdict = judgement.verdict;
+    entry.details = {{"reference", judgement}};
     for (const ExpectationResult& expectation : judged.expectations)
-        entry.facts.push_back(expectation.sentence);
-    if (judged.same_paths) entry.facts.push_back(judged.same_paths->verdict.sentence);
+        entry.checks.push_back({expectation.met, expectation.sentence, {}});
+    if (judged.same_paths) {
+        entry.checks.push_back(judged.same_paths->verdict);
+        entry.details["same_paths"] = *judged.same_paths;
+    }
+    entry.seconds = judged.seconds;
+    const double rays = static_cast<double>(judged.ledger.rays()) / judged.ledger.seconds;
+    entry.facts = {{"samples a pixel", std::to_string(judged.image.provenance.spp)},
+                   {"tracing", human_duration(judged.seconds)},
+                   {"speed", human_count(rays) + "rays/s"},
+                   {"relMSE", fmt::format("{:.2g}", judgement.metrics.rel_mse)},
+                   {"mean error", fmt::format("{:+.3f} %", 100 * judgement.metrics.rel_error)}};
     entry.image = judged.image;
     entry.reference = reference;
-    entry.z_map = judged.judgement.z_map;
-    entry.metrics = judged.judgement.metrics;
-    entry.seconds = judged.seconds;
-    entry.rays_per_second = static_cast<double>(judged.ledger.rays()) / judged.ledger.seconds;
-    entry.spp = judged.image.provenance.spp;
     for (const BounceCounts& bounce : judged.ledger.bounces)
         if (bounce.lanes > 0) entry.lanes_alive.push_back(lanes_alive(bounce));
     return entry;
@@ -63,9 +70,8 @@ void print_row(const JudgedScene& judged) {
 }
 
 ExitCode run_demo(const DemoOptions& options) {
-    const std::string html = options.folder + "/report.html", json = options.folder + "/results.json";
-    prepare_output(html);
-    Report report{"raylab demo", machine_line(), {}};
+    prepare_output(options.folder + "/report.html");
+    Report report{"raylab demo", machine_line(), "raylab demo", {}};
     bool passed = true;
     if (!options.json)
         fmt::print("{:6} {:20} {:14} {:>9} {:>9} {:>9}\n", "", "scene", "lab", "samples", "tracing",
@@ -88,13 +94,12 @@ ExitCode run_demo(const DemoOptions& options) {
             progress.update(++done);
         }
     }
-    write_html(report, html);
-    write_json(report, json);
+    write_report(report, options.folder);
     if (options.json)
-        fmt::print("{}", to_json(report));
+        fmt::print("{}\n", report_json(report).dump(2));
     else
-        fmt::print("{} in {}; see {}\n", passed ? "all passed" : "NOT all passed",
-                   human_duration(progress.seconds()), html);
+        fmt::print("{} in {}; see {}/report.html\n", passed ? "all passed" : "NOT all passed",
+                   human_duration(progress.seconds()), options.folder);
     return passed ? ExitCode::success : ExitCode::judged_failed;
 }
 

@@ -17,8 +17,8 @@ namespace {
 // Both faces of a light are this part of its size apart: far above float's resolution, far below
 // what shows in an image.
 constexpr float gap_of_size = 1e-4f;
-constexpr int plane_levels = 8; // the largest square of a plane is 4^8 times the scene
-constexpr int sky_texels = 8;   // a side, for each of ours
+constexpr int plane_levels = 8;               // the largest square of a plane is 4^8 times the scene
+constexpr int sky_columns = 8, sky_rows = 32; // for each texel of ours
 
 [[noreturn]] void refuse(const std::string& what) {
     throw UsageError("cannot be written for Mitsuba: " + what);
@@ -305,9 +305,9 @@ class MitsubaWriter {
                  rgb("radiance", scene_.environment_radiance));
             return;
         }
-        files_.push_back({"sky.pfm", formats::encode_pfm(fine_sky())});
+        files_.push_back({"sky.exr", formats::encode_exr(fine_sky())});
         // Mitsuba's u is 0 at -z and grows towards x; ours is 0 at x and grows towards z.
-        line("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.pfm\"/>{}</emitter>",
+        line("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.exr\"/>{}</emitter>",
              to_world(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0)));
     }
 
@@ -315,15 +315,15 @@ class MitsubaWriter {
     // and row / (height - 1). Edges between our texels lie half way between two columns, and on
     // rows, which take the mean of both sides: so each ramp keeps the integral of the step.
     Image fine_sky() const {
-        const int w = scene_.environment_width, h = scene_.environment_height, n = sky_texels;
-        Image image{n * w, n * h + 1, {}, {}, {}};
+        const int w = scene_.environment_width, h = scene_.environment_height;
+        Image image{sky_columns * w, sky_rows * h + 1, {}, {}, {}};
         for (int y = 0; y < image.height; ++y) {
-            const int below = std::min(y / n, h - 1);
-            const int above = y % n == 0 ? std::max(y / n - 1, 0) : below;
+            const int below = std::min(y / sky_rows, h - 1);
+            const int above = y % sky_rows == 0 ? std::max(y / sky_rows - 1, 0) : below;
             for (int x = 0; x < image.width; ++x)
                 image.mean.push_back(scene_.environment_radiance * 0.5f *
-                                     (scene_.environment_map[above * w + x / n] +
-                                      scene_.environment_map[below * w + x / n]));
+                                     (scene_.environment_map[above * w + x / sky_columns] +
+                                      scene_.environment_map[below * w + x / sky_columns]));
         }
         return image;
     }

@@ -4,8 +4,9 @@
 // Where the two differ, and what is done about it:
 //   lights      Mitsuba's area lights shine from one side: a second face lies close behind each.
 //   planes      have no end here; there they become squares 65536 times as large as the rest.
-//   maps        the sky is piecewise constant here and interpolated there: it is written 8 times as
-//               fine, with the edges of our texels half way up the ramps.
+//   maps        the sky is piecewise constant here and interpolated there: it is written 8 x 32
+//               times as fine, with the edges of our texels half way up the ramps. What is left
+//               shows along a bright edge seen directly (2 % of a pixel row, where 8 x 8 gave 8 %).
 //   glass       there radiance is divided by eta^2 on entering. Out again it is the same, but a
 //               light inside glass would differ.
 // Refused: Phong (Mitsuba 3 has none), Schlick's approximation, the whitted integrator, glowing

@@ -92,10 +92,10 @@ TEST_F(Cli, WrongScenesAreRefusedWithTheirPlace) {
         std::string from, to;
         std::vector<std::string> words;
     } cases[] = {
-        {"\"radius\"", "\"raduis\"", {"s.json:8:", "/shapes/0", "raduis", "did you mean", "radius"}},
-        {"\"radius\": 1", "\"radius\": -1", {"s.json:8:", "/shapes/0/radius"}},
-        {"\"radius\": 1", "\"radius\": NaN", {"s.json:8:"}},
-        {"\"radius\": 1", "\"radius\": 1e999", {"s.json:8:"}},
+        {"\"radius\"", "\"raduis\"", {"s.json:7:", "/shapes/0", "raduis", "did you mean", "radius"}},
+        {"\"radius\": 1", "\"radius\": -1", {"s.json:7:", "/shapes/0/radius"}},
+        {"\"radius\": 1", "\"radius\": NaN", {"s.json:7:"}},
+        {"\"radius\": 1", "\"radius\": 1e999", {"s.json:7:"}},
         {"\"material\": \"white\"", "\"material\": \"whit\"", {"/shapes/0/material", "white"}},
         {"\"width\": 8, \"height\": 8", "\"width\": 0, \"height\": 0", {"s.json:4:", "/film/width"}},
         {"\"width\": 8, \"height\": 8", "\"width\": 100000, \"height\": 100000", {"/film/width"}},

@@ -1,8 +1,8 @@
 // Where does a ray meet a triangle?
 //
-// Seen along the ray, the triangle is flat and the ray is the point (0, 0): it passes inside if it is
-// on the same side of all three edges. Computed exactly, that answer is the same for both triangles of
-// a shared edge, so no ray slips between them (Woop, Benthin, Wald, JCGT 2(1), 2013).
+// Seen along the ray, the triangle is flat and the ray is the point (0, 0): it passes inside if it
+// passes all three edges on the same side. An edge too close to call is passed on both, so of the two
+// triangles of a shared edge at least one is hit (Woop, Benthin, Wald, JCGT 2(1), 2013).
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -18,12 +18,15 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
     //[ task 1.2
     const Vec3* v = triangle.v;
     const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]);
-    if (!same_side(edge(a, b), edge(b, c), edge(c, a))) return false;
+    const double error = edge_error(std::max({a.width, b.width, c.width}),
+                                    std::max({a.size, b.size, c.size}));
+    if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
 
     // Where the ray crosses the triangle's plane, kept within the depths of the three corners: a
     // ray almost in the plane makes the quotient a guess.
+    const DVec3 corner(v[0]), normal = cross(DVec3(v[1]) - corner, DVec3(v[2]) - corner);
     double distance;
-    if (!distance_to(plane_through(v[0], v[1], v[2]), ray.ray, distance)) return false;
+    if (!distance_to({corner, normal}, ray.ray, distance)) return false;
     const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
     t = static_cast<float>(std::clamp(distance, nearest, farthest));
     return t > 0 && t < ray.ray.t_max;

@@ -1,0 +1,118 @@
+// What is written for Mitsuba. That Mitsuba draws the same picture from it is tools/cross_check's to
+// show; here: that what is written says what the scene says, and that nothing is left out silently.
+#include "app/export_mitsuba.h"
+#include "app/export_ply.h"
+#include "app/labs.h"
+#include "common/image/formats.h"
+#include "common/scene/load.h"
+
+#include <gmock/gmock.h>
+
+namespace raylab::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string scene_with(const std::string& material, const std::string& lights = "") {
+    return R"({"version": 1, "title": "t", "reason": "r",
+        "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40},
+        "film": {"width": 8, "height": 8},
+        "render": {"integrator": "path", "max_depth": 4, "spp": 1, "seed": 1},
+        "materials": {"a & b": )" + material + R"(},
+        "shapes": [{"kind": "quad", "vertices": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]],
+                    "material": "a & b"}])" + lights + "}";
+}
+
+std::string bytes_of(const std::vector<ExportedFile>& files, const std::string& name) {
+    for (const ExportedFile& file : files)
+        if (file.name == name) return file.bytes;
+    ADD_FAILURE() << "no file " << name;
+    return {};
+}
+
+std::string refusal(const std::string& material) {
+    try {
+        mitsuba_files(parse_scene(scene_with(material), "test.json"));
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "written";
+}
+
+TEST(MitsubaExport, RefusesByNameWhatMitsubaDoesNotHave) {
+    EXPECT_THAT(refusal(R"({"kind": "phong", "reflectance": [0, 0, 0], "specular": [1, 1, 1], "exponent": 9})"),
+                HasSubstr("'a & b' is Phong's"));
+    EXPECT_THAT(refusal(R"({"kind": "glass", "ior": 1.5, "fresnel": "schlick"})"), HasSubstr("Schlick"));
+    EXPECT_THAT(refusal(R"({"kind": "glass", "ior": 1.5, "emission": [1, 1, 1]})"), HasSubstr("glows"));
+    EXPECT_EQ(refusal(R"({"kind": "glass", "ior": 1.5})"), "written");
+    EXPECT_THROW(mitsuba_files(load_scene(find_scene("whitted"))), UsageError);
+}
+
+TEST(MitsubaExport, EscapesNamesAndLeavesOutUnusedMaterials) {
+    const auto files = mitsuba_files(
+        parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0.25, 0.5, 0.75]},
+                                  "unused": {"kind": "phong", "reflectance": [0, 0, 0],
+                                             "specular": [1, 1, 1], "exponent": 9})"),
+                    "test.json"));
+    const std::string xml = bytes_of(files, "scene.xml");
+    EXPECT_THAT(xml, HasSubstr(R"(id="0_a &amp; b")"));
+    EXPECT_THAT(xml, HasSubstr(R"(<rgb name="reflectance" value="0.25 0.5 0.75"/>)"));
+    EXPECT_THAT(xml, Not(HasSubstr("unused")));
+}
+
+// The lamp's second face: the same square seen from behind, just behind it.
+TEST(MitsubaExport, LightsShineFromBothSides) {
+    PlyMesh front;
+    front.add(Quad{{Vec3(0, 0, 3), Vec3(2, 0, 3), Vec3(2, 2, 3), Vec3(0, 2, 3)}, Vec3(0, 0, 1), {}});
+    const PlyMesh back = front.back(0.25f);
+    for (const auto& [i, j, k] : back.faces) {
+        const Vec3 a = back.positions[i], b = back.positions[j], c = back.positions[k];
+        EXPECT_LT(cross(b - a, c - a).z, 0);
+        EXPECT_EQ(a.z, 2.75f);
+        EXPECT_EQ(b.z, 2.75f);
+        EXPECT_EQ(c.z, 2.75f);
+    }
+    const auto files = mitsuba_files(
+        parse_scene(scene_with(R"({"kind": "diffuse", "emission": [1, 2, 3]})"), "test.json"));
+    EXPECT_EQ(files.size(), 3u); // the scene and two faces
+}
+
+TEST(MitsubaExport, FloatsSurviveAsText) {
+    PlyMesh mesh;
+    mesh.add(Triangle{{Vec3(0.1f, 1.0f / 3, 1e-30f), Vec3(16777217, 2, 3), Vec3(-0.7f, 5, 6e30f)}, {}, -1, {}});
+    const std::string text = encode_ply(mesh);
+    const std::size_t body = text.find("end_header\n") + 11;
+    Vec3 p;
+    ASSERT_EQ(std::sscanf(text.c_str() + body, "%f %f %f", &p.x, &p.y, &p.z), 3);
+    EXPECT_EQ(p, mesh.positions[0]);
+}
+
+// The mean of the interpolated sky over one of our texels is that texel's radiance; by sin(theta)
+// the two ends of the rows' ramps weigh a little differently, hence not exactly.
+TEST(MitsubaExport, TheFineSkyKeepsEachTexelsLight) {
+    const Scene scene = load_scene(find_scene("hdr_environment"));
+    const Image sky = formats::decode_exr(bytes_of(mitsuba_files(scene), "sky.exr"));
+    const int w = scene.environment_width, h = scene.environment_height;
+    const int nx = sky.width / w, ny = (sky.height - 1) / h;
+    ASSERT_EQ(sky.height, ny * h + 1);
+    for (const int row : {0, 1, h / 2 - 1, h / 2, h - 1})
+        for (int column = 0; column < w; column += 7) {
+            // Trapezoids over the rows' samples; columns' samples lie inside the texel.
+            DVec3 sum(0);
+            for (int y = 0; y <= ny; ++y)
+                for (int x = 0; x < nx; ++x)
+                    sum += DVec3(sky.at(column * nx + x, row * ny + y)) * (y % ny == 0 ? 0.5 : 1.0);
+            const Vec3 own = scene.environment_map[row * w + column];
+            const auto neighbour = [&](int r) {
+                return DVec3(scene.environment_map[std::clamp(r, 0, h - 1) * w + column]);
+            };
+            // The edge rows hold the mean of both sides: what one texel loses the next one gains.
+            const DVec3 expected = DVec3(own) + (neighbour(row - 1) + neighbour(row + 1) - 2.0 * DVec3(own)) / (4.0 * ny);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(sum[c] / (nx * ny), expected[c], 1e-5 * expected[c]);
+        }
+}
+
+} // namespace
+} // namespace raylab::app
