@@ -16,7 +16,7 @@ namespace raylab {
 // A corner seen along the ray, which passes at (0, 0) and is level with it at t = depth.
 struct Corner {
     double x, y, depth;
-    double size; // at least the largest coordinate it was computed from
+    double width, size; // |x| + |y|, and that plus the distance along the main axis
 };
 
 struct ShearedRay {
@@ -42,21 +42,24 @@ struct ShearedRay {
         const float* o = &ray.o.x;
         const double z = double(p[kz]) - o[kz];
         const double x = (double(p[kx]) - o[kx]) - sx * z, y = (double(p[ky]) - o[ky]) - sy * z;
-        return {x, y, z * inv_dz, fabs(x) + fabs(y) + fabs(z)};
+        const double width = fabs(x) + fabs(y);
+        return {x, y, z * inv_dz, width, width + fabs(z)};
     }
 };
 
-// Twice the signed area of (ray, a, b): on which side of the edge a-b the ray passes. Rounding
-// moves x and y by less than 2^-50 size, and the area by less than 2^-49 size size; below that it
-// is 0. The sign is never wrong, whether or not the compiler fuses or reorders the operations.
-HD double edge(const Corner& a, const Corner& b) {
-    const double area = a.x * b.y - a.y * b.x;
-    return fabs(area) > 0x1p-49 * (a.size * b.size) ? area : 0;
-}
+// Twice the signed area of (ray, a, b): on which side of the edge a-b the ray passes.
+HD double edge(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 
-// Three edges that turn the same way enclose the ray; one through the ray (0) turns both ways.
-HD bool same_side(double a, double b, double c) {
-    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+// What rounding can make of an edge between corners no larger than this: it moves x and y by less
+// than 2^-51 size, with or without fused multiply-add, in any order of operations.
+HD double edge_error(double width, double size) { return 0x1p-49 * width * size; }
+
+// Does the ray pass the three edges of a triangle on the same side? An edge too close to call is
+// passed on both; a triangle of three such edges is seen edge-on and left to its neighbours.
+// Without branches, because which edge a ray misses is as good as random.
+HD bool encloses(double e0, double e1, double e2, double error) {
+    const double least = glm::min(glm::min(e0, e1), e2), most = glm::max(glm::max(e0, e1), e2);
+    return (least >= -error) != (most <= error);
 }
 
 } // namespace raylab

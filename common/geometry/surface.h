@@ -4,6 +4,7 @@
 // double and rounded once: what is left is half an ulp a coordinate, however far the ray came.
 #pragma once
 
+#include "common/geometry/edges.h"
 #include "common/geometry/error.h"
 #include "common/geometry/parameters.h"
 #include "common/math/frame.h"
@@ -22,15 +23,6 @@ struct SurfacePoint {
     int light;     // index into SceneView::lights, or -1
 };
 
-// A few ulps from p towards the middle of its face. Rounded onto an edge, p would lie on the wall
-// next to its floor as well, and half of the rays from there would start behind that wall.
-HD DVec3 clear_of_edges(DVec3 p, DVec3 middle) {
-    const float reach = gamma_bound(16) * max_component(abs(Vec3(p)));
-    const DVec3 inward = middle - p;
-    const double distance = sqrt(dot(inward, inward));
-    return distance <= reach ? middle : p + inward * (reach / distance);
-}
-
 // p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
 template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
     const DVec3 center(sphere.center);
@@ -46,9 +38,7 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere&
 
 template <Features F> HD SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
     const ExactPlane plane = exact_plane(quad);
-    const DVec3 middle =
-        0.25 * (DVec3(quad.v[0]) + DVec3(quad.v[1]) + DVec3(quad.v[2]) + DVec3(quad.v[3]));
-    p = project(plane, clear_of_edges(p, middle));
+    p = clear_of_edges(quad.v, plane, project(plane, p));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
@@ -73,8 +63,7 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Plane& 
 template <Features F>
 HD SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p) {
     const ExactPlane plane = exact_plane(triangle);
-    const DVec3 sum = DVec3(triangle.v[0]) + DVec3(triangle.v[1]) + DVec3(triangle.v[2]);
-    p = project(plane, clear_of_edges(p, sum / 3.0));
+    p = clear_of_edges(triangle.v, plane, project(plane, p));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = triangle.normal;

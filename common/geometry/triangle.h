@@ -31,10 +31,12 @@ HD bool hit_between(const ExactPlane& plane, const Ray& ray, double near_depth, 
 // hit.
 HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
     const Corner a = ray(triangle.v[0]), b = ray(triangle.v[1]), c = ray(triangle.v[2]);
-    if (!same_side(edge(a, b), edge(b, c), edge(c, a))) return false;
+    const double error = edge_error(glm::max(glm::max(a.width, b.width), c.width),
+                                    glm::max(glm::max(a.size, b.size), c.size));
+    if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
     return hit_between(exact_plane(triangle), ray.ray,
-                       glm::min(a.depth, glm::min(b.depth, c.depth)),
-                       glm::max(a.depth, glm::max(b.depth, c.depth)), t);
+                       glm::min(glm::min(a.depth, b.depth), c.depth),
+                       glm::max(glm::max(a.depth, b.depth), c.depth), t);
 }
 
 } // namespace raylab

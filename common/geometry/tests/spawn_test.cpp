@@ -194,18 +194,18 @@ TEST(BOX_CORNER, nothing_escapes_from_a_closed_box) {
             World world;
             add_box(world, corner);
             const SceneView scene = world.view();
-            DVec3 middle(0);
-            for (const Vec3& c : corner) middle += 0.125 * DVec3(c);
-            // From an edge or a corner a millionth of the way to the middle, but at least 16 ulps
-            // of the coordinates: nearer, rounding may put it outside.
-            const int k = random.below(8), neighbour = k ^ (1 << random.below(3));
-            const double s = random.below(2) ? 0 : random.uniform();
-            const DVec3 edge_point = (1 - s) * DVec3(corner[k]) + s * DVec3(corner[neighbour]);
-            const DVec3 inward = middle - edge_point;
-            const double least = 0x1p-19 * max_component(abs(corner[k]));
-            const Vec3 start(edge_point + std::max(1e-6, least / glm::length(inward)) * inward);
+            // From an edge or a corner a millionth of the box inwards along each of its axes, but
+            // at least 4 ulps of the coordinates: nearer, rounding may put it outside.
+            const double least = 0x1p-21 * max_component(abs(corner[0]) + abs(corner[7]));
+            const int k = random.below(8), along = random.below(4); // 3: at the corner
+            DVec3 start(corner[k]);
+            for (int axis = 0; axis < 3; ++axis) {
+                const DVec3 side = DVec3(corner[k ^ (1 << axis)]) - DVec3(corner[k]);
+                const double fraction = std::max(1e-6, least / glm::length(side));
+                start += (axis == along ? random.between(fraction, 1 - fraction) : fraction) * side;
+            }
 
-            Ray ray{start, random.direction()}, naive_ray = ray;
+            Ray ray{Vec3(start), random.direction()}, naive_ray = ray;
             for (int bounce = 0; bounce < bounces; ++bounce) {
                 const Hit hit = intersect<feature::quad>(scene, ray);
                 if (!hit.found()) {
