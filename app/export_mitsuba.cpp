@@ -164,9 +164,6 @@ class MitsubaWriter {
                                id(index), type, content);
         };
         const auto clear = [&](const char* type, const std::string& content) {
-            if (is_emissive(m))
-                refuse(fmt::format("the material '{}' is clear and glows, but its lights need a "
-                                   "second face, which would refract again", name));
             return fmt::format("<bsdf type=\"{}\" id=\"{}\"><float name=\"int_ior\" value=\"{}\"/>"
                                "<float name=\"ext_ior\" value=\"1\"/>{}{}{}</bsdf>\n",
                                type, id(index), m.ior, content,

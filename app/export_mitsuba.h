@@ -10,7 +10,7 @@
 //   glass       there radiance is divided by eta^2 on entering. Out again it is the same, but a
 //               light inside glass would differ.
 // Refused: Phong (Mitsuba 3 has none), Schlick's approximation, the whitted integrator, glowing
-// glass, glowing surfaces with shading normals.
+// surfaces with shading normals.
 #pragma once
 
 #include "common/scene/scene.h"

@@ -76,7 +76,7 @@ def check(name, arguments, folder):
                "replicates": arguments.replicates, "seconds_raylab": middle - start,
                "seconds_mitsuba": end - middle}
     picture.side_by_side(folder / "compare.png", ours.mean(axis=0), theirs.mean(axis=0), z)
-    np.savez_compressed(folder / "images.npz", raylab=ours.mean(axis=0), mitsuba=theirs.mean(axis=0))
+    np.savez_compressed(folder / "images.npz", raylab=ours.astype("f4"), mitsuba=theirs.astype("f4"))
     (folder / "result.json").write_text(json.dumps(result, indent=1) + "\n")
     return result
 
