@@ -1,2 +1,0 @@
-# Empty dependencies file for raylab_judge.
-# This may be replaced when dependencies are built.
