@@ -10,12 +10,19 @@ namespace raylab::simt {
 // In which order threads of a block, and blocks of a grid, get their turn.
 enum class Order { forward, reverse, random };
 
+// Virtual memory, only what is used becomes real; but ThreadSanitizer touches four times as much.
+#if defined(RAYLAB_CHECK_THREAD)
+inline constexpr size_t default_stack_size = size_t(64) << 10;
+#else
+inline constexpr size_t default_stack_size = size_t(256) << 10;
+#endif
+
 struct Options {
     int threads = 0; // worker threads; 0: as many as the hardware runs at once
     Order order = Order::forward;
-    uint64_t seed = 1;                   // of Order::random
-    size_t stack_size = size_t(1) << 18; // bytes for each CUDA thread that has to wait
-    bool print_reports = true;           // write reports to stderr the moment they are made
+    uint64_t seed = 1;                      // of Order::random
+    size_t stack_size = default_stack_size; // bytes for each CUDA thread that has to wait
+    bool print_reports = true;              // write reports to stderr the moment they are made
 };
 
 // Holds from the next launch on. Throws std::invalid_argument, naming the field, for threads < 0 or

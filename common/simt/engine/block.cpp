@@ -19,6 +19,8 @@ Block::Block(const Options& options) : options_(options), fibers_(options.stack_
 bool Block::run(const Work& work, uint3 index) {
     begin(work, index);
     home_ = native_fiber();
+    announce_release(&begun_);
+    if (one_stack_per_thread) fibers_.reclaim();
     if (one_stack_per_thread && !fibers_.reserve(size_t(count_))) {
         fault_ = Report(*this).no_stacks();
         return false;
@@ -73,6 +75,8 @@ void Block::stack_main() {
     for (;;) {
         int thread = order_[started_++];
         go_on(thread);
+        announce_acquire(&begun_);
+        if (one_stack_per_thread) announce_name(self->announced, Report(*this).running().c_str());
         work_->thread_main(work_->arguments);
         status_[thread] = Status::ended;
         announce_release(work_->finished);
@@ -123,6 +127,7 @@ void Block::arrive(Wait kind, const Site& site) {
     waiter.kind = kind;
     status_[running_] = Status::waiting;
     ++waiting_;
+    announce_release(work_->finished); // after a fault the thread never comes back
 }
 
 // Appends threads to those that are ready, in this order, or in any order if it is to be random.
@@ -246,6 +251,7 @@ unsigned Block::active_mask(const Site& site) {
 
 void Block::give_up(std::string fault) {
     fault_ = std::move(fault);
+    announce_release(work_->finished);
     switch_fiber(*current_, home_, true);
     __builtin_unreachable();
 }

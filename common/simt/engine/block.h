@@ -124,6 +124,7 @@ class Block {
         int turn;
         void* now() { return &points[turn]; }
     };
+    uint64_t begun_ = 0; // the launch, and the block before its first thread
     Meeting block_meeting_{};
     std::array<Meeting, max_threads> warp_meetings_{}; // by the first thread concerned
 };

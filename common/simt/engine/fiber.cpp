@@ -30,6 +30,9 @@ Fiber native_fiber() {
     return fiber;
 }
 
+static void* announce_fiber() { return nullptr; }
+static void revoke_fiber(void*) {}
+
 #elif defined(RAYLAB_CHECK_THREAD)
 
 // Without synchronisation: that the engine runs A before B means nothing in the kernel.
@@ -46,11 +49,16 @@ Fiber native_fiber() {
     return fiber;
 }
 
+static void* announce_fiber() { return __tsan_create_fiber(0); }
+static void revoke_fiber(void* fiber) { __tsan_destroy_fiber(fiber); }
+
 #else
 
 void switch_fiber(Fiber& from, Fiber& to, bool) { raylab_simt_switch(&from.context, to.context); }
 void enter_fiber() {}
 Fiber native_fiber() { return {}; }
+static void* announce_fiber() { return nullptr; }
+static void revoke_fiber(void*) {}
 
 #endif
 
@@ -58,16 +66,6 @@ static size_t page_bytes() {
     static const size_t bytes = size_t(sysconf(_SC_PAGESIZE));
     return bytes;
 }
-
-#if defined(RAYLAB_CHECK_THREAD)
-
-// When malloc hands out memory, ThreadSanitizer forgets who used it before.
-static char* allocate_stack(size_t bytes) { return static_cast<char*>(std::malloc(bytes)); }
-static void free_stack(char* bottom, size_t) { std::free(bottom); }
-static void* announce_fiber() { return __tsan_create_fiber(0); }
-static void revoke_fiber(void* fiber) { __tsan_destroy_fiber(fiber); }
-
-#else
 
 static char* allocate_stack(size_t bytes) {
     size_t guard = page_bytes();
@@ -83,10 +81,6 @@ static char* allocate_stack(size_t bytes) {
 static void free_stack(char* bottom, size_t bytes) {
     munmap(bottom - page_bytes(), page_bytes() + bytes);
 }
-static void* announce_fiber() { return nullptr; }
-static void revoke_fiber(void*) {}
-
-#endif
 
 FiberPool::FiberPool(size_t stack_bytes)
     : stack_bytes_((stack_bytes + page_bytes() - 1) / page_bytes() * page_bytes()) {}

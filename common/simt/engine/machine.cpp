@@ -162,7 +162,7 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
     if (sticky_error() != cudaSuccess) return;
     if (current_block) {
         refuse(cudaErrorNotSupported, place(launch.file, launch.line) + ": error: " +
-                                          current_block->running() + ", launches " + launch.kernel +
+                                          current_block->running() + " launches " + launch.kernel +
                                           "\n  expected: kernels are launched by host code");
         return;
     }

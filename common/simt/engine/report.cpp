@@ -44,9 +44,8 @@ std::string Report::head(const Site& site, const std::string& what, int thread) 
 }
 
 std::string Report::running() const {
-    const Launch& launch = block_.work_->launch;
     return thread_name(block_.running_) + " of block " + to_string(blockIdx) + " of kernel " +
-           launch.kernel + ", launched at " + place(launch.file, launch.line);
+           block_.work_->launch.kernel;
 }
 
 // One line for each place where threads wait, in the order of the first thread there.

@@ -21,7 +21,7 @@ class Report {
     std::string trapped(const Site& site) const;
     std::string no_stacks() const;
 
-    // "thread (3,0,0) of block (0,0,0) of kernel k launched at f.cu:12"
+    // "thread (3,0,0) of block (0,0,0) of kernel k"
     std::string running() const;
 
   private:

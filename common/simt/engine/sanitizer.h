@@ -25,10 +25,20 @@ namespace raylab::simt {
 inline constexpr bool one_stack_per_thread = true;
 inline void announce_release(void* object) { __tsan_release(object); }
 inline void announce_acquire(void* object) { __tsan_acquire(object); }
+inline void announce_name(void* fiber, const char* name) { __tsan_set_fiber_name(fiber, name); }
+
+// While one of these lives, what its thread does is nobody's business.
+extern "C" void __tsan_ignore_thread_begin();
+extern "C" void __tsan_ignore_thread_end();
+struct Unobserved {
+    Unobserved() { __tsan_ignore_thread_begin(); }
+    ~Unobserved() { __tsan_ignore_thread_end(); }
+};
 #else
 inline constexpr bool one_stack_per_thread = false;
 inline void announce_release(void*) {}
 inline void announce_acquire(void*) {}
+inline void announce_name(void*, const char*) {}
 #endif
 
 #if defined(RAYLAB_CHECK_ADDRESS)

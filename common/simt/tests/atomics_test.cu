@@ -9,7 +9,7 @@ using namespace raylab::simt;
 
 namespace {
 
-constexpr int threads = 256, blocks = 8, n = threads * blocks;
+constexpr int threads = 64, blocks = 8, n = threads * blocks;
 
 __host__ __device__ unsigned value_of(int i) { return unsigned(i) * 2654435761u; }
 
@@ -24,8 +24,8 @@ template <class T> __global__ void integer_atomics(Words<T>* w) {
     atomicAnd(&w->bit_and, T(value | 0xf0));
     atomicOr(&w->bit_or, T(value & 0x0ff0));
     atomicXor(&w->bit_xor, value);
-    for (T old = w->cas, seen;; old = seen) // the guide's way to make any atomic: here an addition
-        if ((seen = atomicCAS(&w->cas, old, T(old + value))) == old) break;
+    for (T old = 0, seen;; old = seen) // the guide's way to make any atomic: here an addition
+        if ((seen = atomicCAS(&w->cas, old, T((unsigned long long)old + value))) == old) break;
 }
 
 template <class T> void test_integers() {

@@ -78,13 +78,11 @@ std::vector<int> numbers(int n) {
     return values;
 }
 
-const std::vector<int> sizes = {1, 2, 3, 31, 32, 33, 63, 64, 100, 128, 255, 256, 511, 1000, 1024};
-
 } // namespace
 
 TEST(Cooperation, ReductionIsTheSum) {
     for_each_setting([] {
-        for (int size : sizes) {
+        for (int size : block_sizes) {
             constexpr int blocks = 5;
             auto in = numbers(blocks * size - size / 2);
             DeviceArray<int> device_in(in), out(blocks);
@@ -100,7 +98,7 @@ TEST(Cooperation, ReductionIsTheSum) {
 
 TEST(Cooperation, ScanIsThePrefixSum) {
     for_each_setting([] {
-        for (int size : sizes) {
+        for (int size : block_sizes) {
             auto in = numbers(3 * size);
             DeviceArray<int> device_in(in), out(in.size());
             scan<<<3, size>>>(device_in.data(), out.data());
@@ -118,7 +116,7 @@ TEST(Cooperation, HistogramCountsEachNumberOnce) {
         std::vector<unsigned> want(16);
         for (int value : in) ++want[value & 15];
         DeviceArray<int> device_in(in);
-        for (int size : {1, 7, 32, 100, 256, 1024}) {
+        for (int size : block_sizes) {
             DeviceArray<unsigned> total(16);
             histogram<<<4, size>>>(device_in.data(), int(in.size()), total.data());
             ASSERT_EQ(total.host(), want) << size;
@@ -139,7 +137,7 @@ TEST(Cooperation, TheLastBlockSeesTheOthers) {
 
 TEST(Cooperation, BarriersCountAndVote) {
     for_each_setting([] {
-        for (int size : sizes)
+        for (int size : block_sizes)
             for (int period : {1, 2, 3, 2000}) {
                 DeviceArray<int> count(size), some(size), every(size);
                 barrier_votes<<<1, size>>>(period, count.data(), some.data(), every.data());

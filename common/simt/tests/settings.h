@@ -13,8 +13,13 @@ template <class Test> void for_each_setting(Test test) {
 #if defined(RAYLAB_CUDA)
     test();
 #else
+#if defined(RAYLAB_CHECK)
+    constexpr int most_threads = 1; // which is what there are
+#else
+    constexpr int most_threads = 4;
+#endif
     for (Order order : {Order::forward, Order::reverse, Order::random})
-        for (int threads = 1; threads <= 4; ++threads) {
+        for (int threads = 1; threads <= most_threads; ++threads) {
             SCOPED_TRACE(testing::Message() << "order " << int(order) << ", workers " << threads);
             set_options({.threads = threads, .order = order, .seed = uint64_t(threads)});
             test();
@@ -22,6 +27,14 @@ template <class Test> void for_each_setting(Test test) {
     set_options({});
 #endif
 }
+
+// ThreadSanitizer takes its time for every CUDA thread: it gets a few sizes only.
+#if defined(RAYLAB_CHECK_THREAD)
+inline const std::vector<int> block_sizes = {1, 31, 64, 100};
+#else
+inline const std::vector<int> block_sizes = {1,   2,   3,   31,  32,  33,   63,  64,
+                                             100, 128, 255, 256, 511, 1000, 1024};
+#endif
 
 // An array in device memory, filled from and read back to the host.
 template <class T> class DeviceArray {

@@ -137,7 +137,7 @@ TEST(Shuffle, GroupsOfOneWarpDoNotMeet) {
 
 TEST(SyncWarp, OrdersWritesAndReadsOfTheLanes) {
     for_each_setting([] {
-        for (int threads : {32, 64, 1024}) {
+        for (int threads : {32, 64, 128}) {
             DeviceArray<int> out(threads);
             neighbours<<<1, threads>>>(out.data());
             auto got = out.host();
