@@ -10,38 +10,6 @@
 namespace raylab {
 namespace {
 
-// The library hands us an image's encoded bytes; we keep them, and decode those that are used.
-bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-    return true;
-}
-
-tinygltf::FsCallbacks reading_by(const ReadNamedFile& read) {
-    return {
-        [](const std::string&, void*) { return true; },
-        [](const std::string& name, void*) { return name; },
-        [](std::vector<unsigned char>* bytes, std::string*, const std::string& name, void* user) {
-            const std::string content = (*static_cast<const ReadNamedFile*>(user))(name);
-            bytes->assign(content.begin(), content.end());
-            return true;
-        },
-        nullptr, const_cast<ReadNamedFile*>(&read)};
-}
-
-// What a mesh must not need: compression and the like. Extensions of materials change only the
-// look.
-void check_extensions(const Node& root) {
-    const auto required = root.find("extensionsRequired");
-    if (!required) return;
-    for (const Node& extension : required->elements()) {
-        const std::string name = extension.string();
-        if (!name.starts_with("KHR_materials_") && name != "KHR_mesh_quantization")
-            extension.fail("the extension " + quote(name) +
-                           " is not supported; export the mesh without it");
-    }
-}
-
 Transform transform_of(const tinygltf::Node& node) {
     Transform transform;
     if (node.matrix.size() == 16) { // column by column
@@ -315,28 +283,7 @@ Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamed
     root.at("asset").at("version").string();
     check_extensions(root);
     check_buffer_views(root);
-
-    tinygltf::TinyGLTF library;
-    library.SetImageLoader(keep_image, nullptr);
-    library.SetFsCallbacks(reading_by(read));
-    tinygltf::Model model;
-    std::string error, warning;
-    bool loaded = false;
-    try {
-        if (binary) {
-            const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-            loaded = library.LoadBinaryFromMemory(&model, &error, &warning, data,
-                                                  unsigned(bytes.size()));
-        } else {
-            loaded = library.LoadASCIIFromString(&model, &error, &warning, bytes.data(),
-                                                 unsigned(bytes.size()), "");
-        }
-    } catch (const SceneError&) {
-        throw;
-    } catch (const std::exception& exception) {
-        error = exception.what();
-    }
-    if (!loaded) throw SceneError(name + ": not a valid glTF file: " + error);
+    const tinygltf::Model model = load_model(bytes, binary, name, read);
     const GltfFile file{model, root};
     return GltfReader(file, name, read).read();
 }

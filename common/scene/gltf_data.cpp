@@ -1,3 +1,4 @@
+// Where glTF keeps its numbers: buffers, views of them, accessors of views; and GLB's chunks.
 #include "common/scene/gltf_data.h"
 
 #include "common/scene/scene_error.h"

@@ -2,6 +2,7 @@
 // glTF 2.0 specification, sections 3.6 (Binary Data Storage) and 4.4 (GLB).
 #pragma once
 
+#include "common/scene/mesh.h"
 #include "common/scene/node.h"
 #include "common/scene/tinygltf.h"
 
@@ -15,6 +16,14 @@ std::string_view json_chunk(std::string_view glb, const std::string& name);
 // Throws SceneError unless each buffer view lies within its buffer, as the JSON declares it.
 // Before the library runs, which does not check the views that images use.
 void check_buffer_views(const Node& root);
+
+// Throws SceneError if the file requires an extension that changes geometry or encoding. Those of
+// materials change only the look.
+void check_extensions(const Node& root);
+
+// The file as the library reads it, images still encoded (Image::image, or their view).
+tinygltf::Model load_model(std::string_view bytes, bool binary, const std::string& name,
+                           const ReadNamedFile& read);
 
 // A file as the library read it, with its JSON, which knows where things stand.
 struct GltfFile {

@@ -9,9 +9,9 @@ namespace {
 
 constexpr int define_huffman_tables = 0xC4, first_frame = 0xC0, last_frame = 0xCF;
 
-// The byte at `at`, or 0 behind the end.
+// The byte at `at`, or 255 behind the end: a table that is cut off must not fit.
 int byte(std::string_view bytes, std::size_t at) {
-    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
+    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 255;
 }
 
 int length_at(std::string_view bytes, std::size_t at) {

@@ -129,6 +129,7 @@ TEST(Jpeg, HuffmanTablesOfMoreThan256CodesAreRefused) {
     EXPECT_FALSE(huffman_tables_fit(file(17)));
     EXPECT_TRUE(huffman_tables_fit(with(file(17), "\xFF\xC4", "\xFF\xE1")))
         << "in application data anything may stand";
+    EXPECT_FALSE(huffman_tables_fit(file(16).substr(0, 12))) << "what is behind the end counts too";
     EXPECT_NE(error_of([&] { decode_picture(file(17), "p"); }).find("Huffman"), std::string::npos);
 }
 
