@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace raylab {
 
 Metrics measure(const Image& image, const Image& reference) {
+    if (image.width != reference.width || image.height != reference.height)
+        throw std::invalid_argument("measure: the images must have the same size");
     double squares = 0, relative = 0, variance = 0, sum_a = 0, sum_r = 0, mean = 0;
     std::size_t n = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i)

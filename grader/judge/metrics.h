@@ -16,7 +16,8 @@ struct Metrics {
     double rel_bias = 0;
 };
 
-// Both of the same size; pixels that are not finite in either are left out.
+// Both of the same size (else: std::invalid_argument); pixels that are not finite in either are
+// left out.
 Metrics measure(const Image& image, const Image& reference);
 
 // Signed z = (a - r) / sqrt(var_a + var_r) of each 16 x 16 tile's mean luminance, row by row; 0

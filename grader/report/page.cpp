@@ -57,7 +57,7 @@ class Pictures {
 
 std::string table_row(const ReportEntry& e) {
     std::string error = "&ndash;", rel_mse = "&ndash;";
-    if (e.image && e.reference) {
+    if (has_pair(e)) {
         const Metrics m = measure(*e.image, *e.reference);
         error = percent(m.rel_error);
         rel_mse = fmt::format("{:.1e}", m.rel_mse);
@@ -144,10 +144,8 @@ std::string viewer(const ReportEntry& e, Pictures& pictures, nlohmann::json& vie
     view["height"] = image.height;
     const std::string rendered = "Rendered" + spp_of(image) + ".";
     view["captions"]["rendered"] = rendered;
-    const bool both =
-        e.reference && e.reference->width == image.width && e.reference->height == image.height;
     std::vector<std::pair<const char*, const char*>> modes{{"rendered", "rendered"}};
-    if (both) {
+    if (has_pair(e)) {
         const ZMap map = z_map(image, *e.reference);
         const Metrics metrics = measure(image, *e.reference);
         const double range = difference_range(image, *e.reference);

@@ -9,13 +9,18 @@
 
 namespace raylab {
 
+bool has_pair(const ReportEntry& e) {
+    return e.image && e.reference && e.image->width == e.reference->width &&
+           e.image->height == e.reference->height;
+}
+
 nlohmann::json report_json(const Report& report) {
     using nlohmann::json;
     json entries = json::array();
     for (const ReportEntry& e : report.entries) {
         json facts = json::object(), metrics;
         for (const Fact& fact : e.facts) facts[fact.label] = fact.value;
-        if (e.image && e.reference) metrics = measure(*e.image, *e.reference);
+        if (has_pair(e)) metrics = measure(*e.image, *e.reference);
         entries.push_back({{"scene", e.scene},
                            {"title", e.title},
                            {"reason", e.reason},

@@ -31,6 +31,9 @@ struct ReportEntry {
     nlohmann::json details;                // the judgements in full, for results.json
 };
 
+// Whether there are an image and a reference of the same size, so that they can be compared.
+bool has_pair(const ReportEntry& entry);
+
 struct Report {
     std::string title;   // "raylab demo"
     std::string machine; // "AMD ..., 2 cores, g++ 12.2"

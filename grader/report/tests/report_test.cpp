@@ -107,6 +107,7 @@ TEST(Report, EntriesWithoutPicturesOrOfOtherSizesAreShownAsFarAsTheyGo) {
     const std::string html = report_html(report);
     EXPECT_THAT(html, HasSubstr("data-mode=\"rendered\""));
     EXPECT_THAT(html, Not(HasSubstr("data-mode=\"slider\"")));
+    EXPECT_TRUE(report_json(report)["entries"][1]["metrics"].is_null());
     report.entries.clear();
     EXPECT_THAT(report_html(report), HasSubstr("<strong>0 of 0</strong>"));
 }
