@@ -54,8 +54,8 @@ HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 fro
     // The near point p in that direction, by the sphere's normal n there. With s = sin(theta_max) =
     // r / d and q = sin^2(theta) / s^2, the ray goes t = d cos(theta) - r sqrt(1 - q) to p, which
     // is t sin(theta) away from the axis and r cos(alpha) before the center:
-    //   t / r = (cos(theta) - s sqrt(1 - q)) / s,   cos(alpha) = sin(theta) sqrt(q) + cos(theta)
-    //   sqrt(1 - q).
+    //   t / r      = (cos(theta) - s sqrt(1 - q)) / s,
+    //   cos(alpha) = sin(theta) sqrt(q) + cos(theta) sqrt(1 - q).
     const float s = sqrtf(cone.sin2);
     const float sin2_theta = local.x * local.x + local.y * local.y;
     const float q = fminf(sin2_theta / cone.sin2, 1.0f);
@@ -64,7 +64,8 @@ HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 fro
     const Vec3 n =
         normalize(frame.to_world(Vec3(local.x * t_over_r, local.y * t_over_r, -cos_alpha)));
     const Vec3 p = sphere.center + sphere.radius * n;
-    return {p, error, n, wi, length(p - from), radiance, cone_pdf(cone.one_minus_cos), false, true};
+    const float pdf = cone_pdf(cone.one_minus_cos);
+    return {p, error, n, wi, length(p - from), radiance, pdf, false, pdf < infinity};
 }
 
 // The density of wi from `from`, which meets the sphere at p with normal n.

@@ -23,13 +23,13 @@ struct Material {
     // diffuse: albedo; mirror: reflectance; phong: albedo of the diffuse part;
     // conductor: factor on the Fresnel reflectance; glass, rough_dielectric: tint of both lobes.
     Vec3 reflectance = Vec3(0.5f);
-    Vec3 specular = Vec3(0);                    // phong: albedo of the lobe at normal incidence
-    Vec3 emission = Vec3(0);                    // radiance, both sides of the surface
-    Vec3 eta = Vec3(1), k = Vec3(0);            // conductor: complex index of refraction eta + i k
-    float ior = 1.5f;                           // glass, rough_dielectric: inside over outside
-    float exponent = 1;                         // phong
-    float alpha = 0.1f;                         // microfacet roughness (not its root)
-    int texture = -1;                           // index of the texture that replaces reflectance, or -1
+    Vec3 specular = Vec3(0);         // phong: albedo of the lobe at normal incidence
+    Vec3 emission = Vec3(0);         // radiance, both sides of the surface
+    Vec3 eta = Vec3(1), k = Vec3(0); // conductor: complex index of refraction eta + i k
+    float ior = 1.5f;                // glass, rough_dielectric: inside over outside
+    float exponent = 1;              // phong
+    float alpha = 0.1f;              // microfacet roughness (not its root)
+    int texture = -1;                // index of the texture that replaces reflectance, or -1
     Microfacets microfacets = Microfacets::ggx;
     FresnelModel fresnel = FresnelModel::exact; // schlick: the labelled approximation
 
