@@ -2,7 +2,7 @@
 // files for ever: so we hand it the bytes through callbacks, and notice when it asks for too many.
 #include "common/scene/picture.h"
 
-#include "common/scene/jpeg_tables.h"
+#include "common/scene/image_checks.h"
 #include "common/scene/scene_error.h"
 
 #include <fmt/format.h>
@@ -68,34 +68,40 @@ float linear_from_srgb(int value) {
 
 Picture decode_picture(std::string_view bytes, const std::string& name) {
     const auto fail = [&](const std::string& what) { throw SceneError(name + ": " + what); };
+    const std::string too_short =
+        "the image ends too early: the file was cut off; write or copy it again";
+    if (!png_chunks_fit(bytes)) fail(too_short);
     if (!huffman_tables_fit(bytes)) fail("the image is broken (Huffman table); write it again");
     int width = 0, height = 0, channels = 0;
     ByteReader reader{bytes};
-    if (!stbi_info_from_callbacks(&callbacks, &reader, &width, &height, &channels)) {
-        const bool cut = reader.past_end && !bytes.empty();
-        fail(cut ? "the image ends too early: the file was cut off; write or copy it again"
+    if (!stbi_info_from_callbacks(&callbacks, &reader, &width, &height, &channels))
+        fail(reader.past_end && !bytes.empty()
+                 ? too_short
                  : "expected a PNG, JPEG or Radiance HDR image, found something else");
-    }
     if (width < 1 || height < 1 || width > max_picture_side || height > max_picture_side ||
         width > max_picture_texels / height)
         fail(fmt::format(
             "expected an image of 1 to {} texels a side and at most {} in all, found {} x {}",
             max_picture_side, max_picture_texels, width, height));
 
-    Picture picture{width, height, std::vector<Vec3>(std::size_t(width) * height)};
     ByteReader probe{bytes};
     const bool is_hdr = stbi_is_hdr_from_callbacks(&callbacks, &probe);
+    const std::size_t texels = std::size_t(width) * std::size_t(height);
+    // Four runs of at most 127 equal bytes each are the best that Radiance's compression can do;
+    // PNG's and JPEG's is less than 10000 texels a byte. Less must not make us allocate so many
+    // texels.
+    if (bytes.size() < texels / (is_hdr ? 16 : 10000)) fail(too_short);
     reader = ByteReader{bytes};
-    std::unique_ptr<void, decltype(&stbi_image_free)> pixels(
+    const std::unique_ptr<void, decltype(&stbi_image_free)> pixels(
         is_hdr ? static_cast<void*>(
                      stbi_loadf_from_callbacks(&callbacks, &reader, &width, &height, &channels, 3))
                : stbi_load_from_callbacks(&callbacks, &reader, &width, &height, &channels, 3),
         stbi_image_free);
-    if (reader.past_end)
-        fail("the image ends too early: the file was cut off; write or copy it again");
+    if (reader.past_end) fail(too_short);
     if (!pixels)
         fail(fmt::format("the image is broken ({}); write it again", stbi_failure_reason()));
 
+    Picture picture{width, height, std::vector<Vec3>(texels)};
     if (is_hdr) {
         std::memcpy(picture.texels.data(), pixels.get(), picture.texels.size() * sizeof(Vec3));
         for (std::size_t i = 0; i < picture.texels.size(); ++i) {

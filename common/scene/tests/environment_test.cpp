@@ -1,7 +1,7 @@
 // Environment maps: their tables, and images that end too early.
 #include "common/scene/environment_map.h"
 
-#include "common/scene/jpeg_tables.h"
+#include "common/scene/image_checks.h"
 #include "common/scene/tests/scene_files.h"
 
 #include <numbers>
@@ -114,8 +114,21 @@ TEST(Picture, OfNoSizeOrTooLargeOneIsAnError) {
     EXPECT_THROW(decode_picture(hdr(8, 0, ""), "p"), SceneError);
     EXPECT_THROW(decode_picture(hdr(0, 8, ""), "p"), SceneError);
     EXPECT_THROW(decode_picture(hdr(16385, 1, ""), "p"), SceneError);
+    EXPECT_THROW(decode_picture(hdr(8192, 4096, "short"), "p"), SceneError);
     EXPECT_NE(error_of([] { decode_picture(hdr(16384, 16384, ""), "p"); }).find("16384 x 16384"),
               std::string::npos);
+}
+
+TEST(Png, ChunksThatReachBeyondTheFileAreRefusedBeforeTheyAreAllocated) {
+    const std::string whole = png(2, 2, std::string(12, '\x33'));
+    EXPECT_TRUE(png_chunks_fit(whole));
+    const std::size_t length = whole.find("IDAT") - 4;
+    std::string huge = whole, empty = whole;
+    huge.replace(length, 4, std::string("\x3f\xff\xff\xff", 4)); // a gigabyte
+    empty.replace(length, 4, std::string("\0\0\0\0", 4));
+    EXPECT_FALSE(png_chunks_fit(huge));
+    EXPECT_FALSE(png_chunks_fit(empty));
+    EXPECT_THROW(decode_picture(huge, "p"), SceneError);
 }
 
 TEST(Jpeg, HuffmanTablesOfMoreThan256CodesAreRefused) {

@@ -1,6 +1,7 @@
 // JPEG (ITU-T T.81, annex B): segments of a marker FF xx, a length and data, then coded data, in
 // which FF xx with xx other than 00 is a marker again.
-#include "common/scene/jpeg_tables.h"
+// PNG (ISO/IEC 15948, 5.3): chunks of a length, a name of four letters, data, and a check sum.
+#include "common/scene/image_checks.h"
 
 #include <algorithm>
 
@@ -53,6 +54,22 @@ bool huffman_tables_fit(std::string_view bytes) {
         if (!in_frame && has_length) at += std::max<std::size_t>(length_at(bytes, at), 2);
     }
     return true;
+}
+
+bool png_chunks_fit(std::string_view bytes) {
+    constexpr std::string_view signature("\x89PNG\r\n\x1a\n");
+    if (!bytes.starts_with(signature)) return true;
+    constexpr std::size_t name_and_length = 8, check_sum = 4;
+    for (std::size_t at = signature.size(); bytes.size() - at >= name_and_length;) {
+        const std::size_t length =
+            std::size_t(length_at(bytes, at)) << 16 | std::size_t(length_at(bytes, at + 2));
+        const std::string_view name = bytes.substr(at + 4, 4);
+        if (name == "IEND") return true;
+        if (length > bytes.size() - at - name_and_length || (name == "IDAT" && length == 0))
+            return false;
+        at = std::min(at + name_and_length + length + check_sum, bytes.size());
+    }
+    return false;
 }
 
 } // namespace raylab
