@@ -21,8 +21,9 @@ struct Corner {
 
 struct ShearedRay {
     Ray ray;
-    int kx, ky, kz; // a cyclic permutation of the axes; d is largest along kz
-    double sx, sy;  // d.x / d.z and d.y / d.z, permuted: both within [-1, 1]
+    int kx, ky, kz;   // a cyclic permutation of the axes; d is largest along kz
+    float ox, oy, oz; // the origin, permuted
+    double sx, sy;    // d.x / d.z and d.y / d.z, permuted: both within [-1, 1]
     double inv_dz;
 
     HD explicit ShearedRay(const Ray& r) : ray(r) {
@@ -30,18 +31,19 @@ struct ShearedRay {
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        const float* d = &r.d.x;
-        inv_dz = 1 / double(d[kz]);
-        sx = d[kx] * inv_dz;
-        sy = d[ky] * inv_dz;
+        // Selected, not indexed: an index would put the ray into a GPU's slow local memory.
+        const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+        ox = along(r.o, kx), oy = along(r.o, ky), oz = along(r.o, kz);
+        inv_dz = 1 / double(along(r.d, kz));
+        sx = along(r.d, kx) * inv_dz;
+        sy = along(r.d, ky) * inv_dz;
     }
 
     // The corner moved along d into the plane z = o.z.
     HD Corner operator()(const Vec3& v) const {
         const float* p = &v.x;
-        const float* o = &ray.o.x;
-        const double z = double(p[kz]) - o[kz];
-        const double x = (double(p[kx]) - o[kx]) - sx * z, y = (double(p[ky]) - o[ky]) - sy * z;
+        const double z = double(p[kz]) - oz;
+        const double x = (double(p[kx]) - ox) - sx * z, y = (double(p[ky]) - oy) - sy * z;
         const double width = fabs(x) + fabs(y);
         return {x, y, z * inv_dz, width, width + fabs(z)};
     }
