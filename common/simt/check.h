@@ -6,12 +6,12 @@
 #pragma once
 
 #include "common/simt/cuda.h"
+#include "common/simt/where.h"
 
 #if !defined(__CUDACC__) && !defined(RAYLAB_CUDA)
 #include "common/simt/options.h"
 #endif
 
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -30,12 +30,11 @@ inline bool means_no_gpu(cudaError_t error) {
 }
 
 // Throws DeviceError unless `error` is cudaSuccess. `call` is what was called, for the message.
-inline void check(cudaError_t error, const std::string& call,
-                  std::source_location where = std::source_location::current()) {
+inline void check(cudaError_t error, const std::string& call, Where where = Where::here()) {
     if (error == cudaSuccess) return;
-    std::string text = std::string(where.file_name()) + ":" + std::to_string(where.line()) + ": " +
-                       call + " failed: " + cudaGetErrorString(error) + " (" +
-                       cudaGetErrorName(error) + ", code " + std::to_string(int(error)) + ")";
+    std::string text = std::string(where.file) + ":" + std::to_string(where.line) + ": " + call +
+                       " failed: " + cudaGetErrorString(error) + " (" + cudaGetErrorName(error) +
+                       ", code " + std::to_string(int(error)) + ")";
     if (means_no_gpu(error))
         text += "\nno NVIDIA GPU or driver was found on this machine: use the CPU machine "
                 "(build with the preset 'cpu'), which runs the same kernels";

@@ -23,6 +23,7 @@ struct Options {
     uint64_t seed = 1;                      // of Order::random
     size_t stack_size = default_stack_size; // bytes for each CUDA thread that has to wait
     bool print_reports = true;              // write reports to stderr the moment they are made
+    bool operator==(const Options&) const = default;
 };
 
 // Holds from the next launch on. Throws std::invalid_argument, naming the field, for threads < 0 or

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "common/simt/runtime_errors.h"
+#include "common/simt/where.h"
 
 #include <cstddef>
-#include <source_location>
 
 using cudaStream_t = struct CUstream_st*;
 
@@ -20,9 +20,6 @@ enum cudaMemcpyKind {
 };
 
 namespace raylab::simt {
-
-// Where an allocation is made, for the reports.
-using Where = std::source_location;
 
 enum class MemoryKind { device, pinned_host, symbol };
 
@@ -38,21 +35,21 @@ void register_symbol(const void* symbol, size_t bytes, const Where& where);
 // null pointer.
 template <class T>
 inline cudaError_t cudaMalloc(T** pointer, size_t bytes,
-                              raylab::simt::Where where = raylab::simt::Where::current()) {
+                              raylab::simt::Where where = raylab::simt::Where::here()) {
     void* memory = nullptr;
     auto error = raylab::simt::allocate(&memory, bytes, raylab::simt::MemoryKind::device, where);
     *pointer = static_cast<T*>(memory);
     return error;
 }
 inline cudaError_t cudaFree(void* pointer,
-                            raylab::simt::Where where = raylab::simt::Where::current()) {
+                            raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::release(pointer, raylab::simt::MemoryKind::device, where);
 }
 
 // Page-locked host memory, which kernels may use too.
 template <class T>
 inline cudaError_t cudaMallocHost(T** pointer, size_t bytes,
-                                  raylab::simt::Where where = raylab::simt::Where::current()) {
+                                  raylab::simt::Where where = raylab::simt::Where::here()) {
     void* memory = nullptr;
     auto error =
         raylab::simt::allocate(&memory, bytes, raylab::simt::MemoryKind::pinned_host, where);
@@ -60,31 +57,30 @@ inline cudaError_t cudaMallocHost(T** pointer, size_t bytes,
     return error;
 }
 inline cudaError_t cudaFreeHost(void* pointer,
-                                raylab::simt::Where where = raylab::simt::Where::current()) {
+                                raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::release(pointer, raylab::simt::MemoryKind::pinned_host, where);
 }
 
 // Every copy is done when the call returns, also the "Async" ones. Ranges that are not where `kind`
 // says, or leave their allocation, give cudaErrorInvalidValue and a report.
 cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
-                       raylab::simt::Where where = raylab::simt::Where::current());
+                       raylab::simt::Where where = raylab::simt::Where::here());
 cudaError_t cudaMemset(void* to, int byte, size_t bytes,
-                       raylab::simt::Where where = raylab::simt::Where::current());
+                       raylab::simt::Where where = raylab::simt::Where::here());
 
 inline cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
                                    cudaStream_t = nullptr,
-                                   raylab::simt::Where where = raylab::simt::Where::current()) {
+                                   raylab::simt::Where where = raylab::simt::Where::here()) {
     return cudaMemcpy(to, from, bytes, kind, where);
 }
 inline cudaError_t cudaMemsetAsync(void* to, int byte, size_t bytes, cudaStream_t = nullptr,
-                                   raylab::simt::Where where = raylab::simt::Where::current()) {
+                                   raylab::simt::Where where = raylab::simt::Where::here()) {
     return cudaMemset(to, byte, bytes, where);
 }
 
 template <class T>
-inline cudaError_t
-cudaGetSymbolAddress(void** pointer, const T& symbol,
-                     raylab::simt::Where where = raylab::simt::Where::current()) {
+inline cudaError_t cudaGetSymbolAddress(void** pointer, const T& symbol,
+                                        raylab::simt::Where where = raylab::simt::Where::here()) {
     raylab::simt::register_symbol(&symbol, sizeof(T), where);
     *pointer = const_cast<void*>(static_cast<const void*>(&symbol));
     return cudaSuccess;
@@ -98,17 +94,16 @@ template <class T> inline cudaError_t cudaGetSymbolSize(size_t* bytes, const T&)
 template <class T>
 inline cudaError_t cudaMemcpyToSymbol(T& symbol, const void* from, size_t bytes, size_t offset = 0,
                                       cudaMemcpyKind kind = cudaMemcpyHostToDevice,
-                                      raylab::simt::Where where = raylab::simt::Where::current()) {
+                                      raylab::simt::Where where = raylab::simt::Where::here()) {
     void* address = nullptr;
     cudaGetSymbolAddress(&address, symbol, where);
     return cudaMemcpy(static_cast<char*>(address) + offset, from, bytes, kind, where);
 }
 
 template <class T>
-inline cudaError_t
-cudaMemcpyFromSymbol(void* to, const T& symbol, size_t bytes, size_t offset = 0,
-                     cudaMemcpyKind kind = cudaMemcpyDeviceToHost,
-                     raylab::simt::Where where = raylab::simt::Where::current()) {
+inline cudaError_t cudaMemcpyFromSymbol(void* to, const T& symbol, size_t bytes, size_t offset = 0,
+                                        cudaMemcpyKind kind = cudaMemcpyDeviceToHost,
+                                        raylab::simt::Where where = raylab::simt::Where::here()) {
     void* address = nullptr;
     cudaGetSymbolAddress(&address, symbol, where);
     return cudaMemcpy(to, static_cast<char*>(address) + offset, bytes, kind, where);

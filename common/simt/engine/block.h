@@ -48,6 +48,9 @@ class Block {
 
     void* shared() { return shared_.data(); }
 
+    // Of the latest run.
+    size_t threads() const { return size_t(count_); }
+
     // "thread (3,0,0) of block (0,0,0) of kernel k", for reports of others.
     std::string running() const;
 

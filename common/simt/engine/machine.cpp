@@ -134,6 +134,7 @@ void set_options(const Options& options) {
         throw std::invalid_argument("Options::stack_size is " + std::to_string(options.stack_size) +
                                     ": expected at least 16384 bytes");
     std::lock_guard lock(machine().launching);
+    if (options == machine().options) return;
     machine().options = options;
     machine().workers.reset();
 }

@@ -16,7 +16,7 @@ std::string place(const char* file, int line) {
     return std::string(file) + ":" + std::to_string(line);
 }
 
-std::string place(const Where& where) { return place(where.file_name(), int(where.line())); }
+std::string place(const Where& where) { return place(where.file, where.line); }
 
 static std::string place(const Site& site) { return place(site.file, site.line); }
 

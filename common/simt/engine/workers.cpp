@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace raylab::simt {
 
@@ -108,7 +107,7 @@ std::string Workers::run(const Work& work) {
     size_t block_threads = size_t(shape.x) * shape.y * shape.z;
     Job job(work, options_, 1);
     Unobserved freeing; // of what CUDA threads used
-    if (block_threads != std::exchange(kept_size_, block_threads)) blocks_.clear();
+    if (!blocks_.empty() && blocks_[0]->threads() != block_threads) blocks_.clear();
     for (uint64_t turn = 0; turn < job.blocks && !job.failed; ++turn) {
         bool known = turn < blocks_.size();
         auto block = known ? std::move(blocks_[turn]) : std::make_unique<Block>(options_);

@@ -32,7 +32,6 @@ class Workers {
 
     Options options_;
     std::vector<std::unique_ptr<Block>> blocks_; // one for each worker
-    size_t kept_size_ = 0;                       // threads of a block, in ThreadSanitizer's build
     std::vector<std::thread> threads_;           // of workers 1, 2, ...
 
     // A new generation is a new job. While it is open, workers that wake up take part in it; the

@@ -2,6 +2,7 @@
 #include "common/simt/tests/settings.h"
 
 #include <cstdint>
+#include <cstring>
 
 using namespace raylab::simt;
 
