@@ -1,5 +1,5 @@
-// What the labs' accuracy tests share: scenes written in the test, renders, means with their errors,
-// and the table of figures.
+// What the labs' accuracy tests share: scenes written in the test, renders, means with their
+// errors, and the table of figures.
 //
 // Each test is a row of the suite of hard cases, run for every lab. Its truth is a closed form, a
 // quadrature in double or an independent tracer inside the test; a second scene or variant with the
@@ -68,9 +68,8 @@ inline std::string plane(DVec3 point, DVec3 normal, const std::string& material)
 }
 
 inline std::string quad(DVec3 a, DVec3 b, DVec3 c, DVec3 d, const std::string& material) {
-    return fmt::format(
-        R"({{"kind": "quad", "vertices": [{}, {}, {}, {}], "material": "{}"}})", text(a), text(b),
-        text(c), text(d), material);
+    return fmt::format(R"({{"kind": "quad", "vertices": [{}, {}, {}, {}], "material": "{}"}})",
+                       text(a), text(b), text(c), text(d), material);
 }
 
 inline std::string triangle(DVec3 a, DVec3 b, DVec3 c, const std::string& material) {
@@ -178,7 +177,8 @@ inline double differing_pixels(const Film& a, const Film& b) {
     return static_cast<double>(differ) / static_cast<double>(a.pixels.size());
 }
 
-// The closest hit as the lab finds it: lab 01 has intersection code of its own, the others common's.
+// The closest hit as the lab finds it: lab 01 has intersection code of its own, the others
+// common's.
 inline Hit closest(const std::string& lab, const SceneView& scene, const Ray& ray) {
     return lab == "01" ? lab01::closest_hit(scene, ray) : intersect<feature::all>(scene, ray);
 }

@@ -1,7 +1,7 @@
 // GGX-FURN, PHONG-ALB: how bright is a white rough surface in a white world?
 //
-// Its directional albedo, the integral of f cos over the hemisphere, seen in a render under a sky of
-// radiance 1. Truth by quadrature in double, over mappings of the test's own.
+// Its directional albedo, the integral of f cos over the hemisphere, seen in a render under a sky
+// of radiance 1. Truth by quadrature in double, over mappings of the test's own.
 #include "app/tests/accuracy.h"
 
 namespace raylab::app {
@@ -54,12 +54,13 @@ double phong_albedo(double mu, double n, bool unnormalised = false) {
 // A square of the material, seen under the cosine mu by a camera of a very narrow field of view.
 Estimate render(const std::string& lab, const std::string& material, double mu,
                 const std::string& strategy, int spp) {
-    const Scene scene = parse(
-        {.camera = camera(10.0 * DVec3(std::sqrt(1 - mu * mu), 0, mu), {0, 0, 0}, 1e-3),
-         .materials = R"("m": )" + material,
-         .shapes = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, "m"),
-         .lights = white_sky,
-         .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" + strategy + '"'});
+    const Scene scene =
+        parse({.camera = camera(10.0 * DVec3(std::sqrt(1 - mu * mu), 0, mu), {0, 0, 0}, 1e-3),
+               .materials = R"("m": )" + material,
+               .shapes = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, "m"),
+               .lights = white_sky,
+               .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" +
+                         strategy + '"'});
     return estimate(trace(lab, scene, spp).film);
 }
 
@@ -74,7 +75,8 @@ TEST(GgxFurn, TheQuadratureKnowsTheClosedForm) {
     EXPECT_NEAR(ggx_albedo(1, 1), 1 - std::log(2.0), 2e-5);
 }
 
-// Two clamped cosines an angle g apart overlap by 2/3 (sin g + (pi - g) cos g); n = 1 counts 3 / 2 pi.
+// Two clamped cosines an angle g apart overlap by 2/3 (sin g + (pi - g) cos g); n = 1 counts 3 / 2
+// pi.
 TEST(PhongAlb, TheQuadratureKnowsTheClosedForm) {
     for (const double mu : {1.0, 0.5, 0.1}) {
         const double g = std::acos(mu);
@@ -86,7 +88,8 @@ TEST_P(EachLab, GgxFurnWhiteMetalIsAsBrightAsMaskingLeavesIt) {
     for (const double alpha : {0.01, 0.1, 0.5, 1.0})
         for (const double mu : {1.0, 0.5, 0.1, 0.01}) {
             const std::string metal = fmt::format(
-                R"({{"kind": "conductor", "eta": [1, 1, 1], "k": [1e4, 1e4, 1e4], "alpha": {}}})", alpha);
+                R"({{"kind": "conductor", "eta": [1, 1, 1], "k": [1e4, 1e4, 1e4], "alpha": {}}})",
+                alpha);
             const double truth = ggx_albedo(mu, alpha), naive = ggx_albedo(mu, alpha, false);
             const std::string what = fmt::format("alpha {}, mu {}", alpha, mu);
             const bool masks = std::fabs(naive - truth) > 0.01;

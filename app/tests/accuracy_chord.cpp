@@ -4,10 +4,10 @@
 // sin t and flies 2 R cos t: 2 R * 2/3. The furnace's radiance is exact however often a bounce hits
 // its own starting point, since every hit adds the same; the mean distance is not.
 #include "app/tests/accuracy.h"
-#include "labs/01_recursive/camera.h"
-#include "labs/01_recursive/scatter.h"
 #include "common/geometry/offset.h"
 #include "common/sampling/sampler.h"
+#include "labs/01_recursive/camera.h"
+#include "labs/01_recursive/scatter.h"
 
 namespace raylab::app {
 
@@ -48,10 +48,10 @@ PathRecord walk(const std::string& lab, const Scene& scene, int pixel, int sampl
         if (bounce > 0) leg(hit.t);
         if (!hit.found()) break;
         const SurfacePoint surface = surface_at<feature::all>(v, ray, hit);
-        const BsdfSample scattered = scatter(
-            lab, v.materials[surface.material], surface.shading.to_local(-ray.d),
-            sampler.get_1d(bounce_dimension(bounce, dimension::lobe_roulette)),
-            sampler.get_2d(bounce_dimension(bounce, dimension::direction)));
+        const BsdfSample scattered =
+            scatter(lab, v.materials[surface.material], surface.shading.to_local(-ray.d),
+                    sampler.get_1d(bounce_dimension(bounce, dimension::lobe_roulette)),
+                    sampler.get_2d(bounce_dimension(bounce, dimension::direction)));
         ray = spawn(ray, hit, surface, surface.shading.to_world(scattered.wi));
     }
     return record;
@@ -68,8 +68,8 @@ Scene room(const std::string& shape, double size, int depth, int side) {
 }
 
 struct Chords {
-    test::Mean relative;     // to 4 R / 3
-    double self_hits = 0;    // the share of legs below 1e-5 R: one in 4e10 is that short
+    test::Mean relative;  // to 4 R / 3
+    double self_hits = 0; // the share of legs below 1e-5 R: one in 4e10 is that short
 };
 
 Chords chords(const std::string& lab, double radius, int paths, Spawn spawn) {
@@ -103,7 +103,8 @@ TEST_P(EachLab, FurnChordIsFourThirdsOfTheRadiusAtEverySize) {
         const double tolerance = 1e-3 + 4 * ours.relative.standard_error();
         figure("FURN-CHORD", GetParam(), fmt::format("R = {}: mean chord off, in parts", radius),
                std::fabs(ours.relative.mean() - 1), tolerance);
-        figure("FURN-CHORD", GetParam(), fmt::format("R = {}: self hits", radius), ours.self_hits, 0);
+        figure("FURN-CHORD", GetParam(), fmt::format("R = {}: self hits", radius), ours.self_hits,
+               0);
     }
     const Chords naive = chords(GetParam(), 1e6, count(200, 2000), from_fixed_epsilon);
     note("FURN-CHORD", GetParam(), "R = 1e6, fixed epsilon: mean chord / R",

@@ -1,4 +1,5 @@
-// Every bundled scene keeps what it promises: its `expect` is met, and would not be by 10 % more light.
+// Every bundled scene keeps what it promises: its `expect` is met, and would not be by 10 % more
+// light.
 #include "app/replicates.h"
 #include "app/tests/accuracy.h"
 
@@ -10,7 +11,8 @@ constexpr int replicates = 16;
 
 // Rays of one replicate. A scene's own spp is for a check in full; tolerances grow with the noise.
 long long rays_of(const Scene& scene) {
-    return 1ll * scene.camera.width * scene.camera.height * scene.render.spp * scene.render.max_depth;
+    return 1ll * scene.camera.width * scene.camera.height * scene.render.spp *
+           scene.render.max_depth;
 }
 
 std::vector<Image> render(const Lab& lab, Scene scene, const Expectation& expectation) {

@@ -59,16 +59,15 @@ TEST_P(EachLab, NanPoisonIsCountedAndChangesNoOtherSample) {
     const auto square = [](double x, const char* material) {
         return quad({x, 0, 0}, {x + 0.01, 0, 0}, {x + 0.01, 0.01, 0}, {x, 0.01, 0}, material);
     };
-    Scene scene = parse(
-        {.camera = camera({0, 0, 2}, {0, 0, 0}, 50),
-         .materials = R"("a": )" + diffuse(DVec3(0.5), DVec3(1)) + R"(, "b": )" +
-                      diffuse(DVec3(0.5), DVec3(1)) + R"(, "wall": )" +
-                      diffuse(DVec3(0.5), DVec3(0.2, 0.3, 0.4)),
-         .shapes = square(-0.5, "a") + ", " + square(0.5, "b") + ", " +
-                   quad({-3, -3, -1}, {3, -3, -1}, {3, 3, -1}, {-3, 3, -1}, "wall"),
-         .render = R"("max_depth": 1)",
-         .width = 64,
-         .height = 64});
+    Scene scene = parse({.camera = camera({0, 0, 2}, {0, 0, 0}, 50),
+                         .materials = R"("a": )" + diffuse(DVec3(0.5), DVec3(1)) + R"(, "b": )" +
+                                      diffuse(DVec3(0.5), DVec3(1)) + R"(, "wall": )" +
+                                      diffuse(DVec3(0.5), DVec3(0.2, 0.3, 0.4)),
+                         .shapes = square(-0.5, "a") + ", " + square(0.5, "b") + ", " +
+                                   quad({-3, -3, -1}, {3, -3, -1}, {3, 3, -1}, {-3, 3, -1}, "wall"),
+                         .render = R"("max_depth": 1)",
+                         .width = 64,
+                         .height = 64});
     const Traced clean = trace(GetParam(), scene, 16);
     scene.materials[0].emission.y = NAN;
     scene.materials[1].emission.z = infinity;

@@ -8,9 +8,7 @@ namespace raylab::app {
 
 namespace {
 
-double series(double a, int d) {
-    return a == 1 ? d : (1 - std::pow(a, d)) / (1 - a);
-}
+double series(double a, int d) { return a == 1 ? d : (1 - std::pow(a, d)) / (1 - a); }
 
 // The albedo as the renderer has it, in single precision.
 double rounded(double a) { return static_cast<float>(a); }
@@ -34,8 +32,9 @@ TEST_P(EachLab, FurnRadEveryPixelIsTheSumOfTheSeries) {
     for (const auto& [name, shape] :
          {std::pair<std::string, std::string>{"sphere", unit_sphere},
           {"box", box({-1, -1, -2}, {1, 1.5, 1}, "wall")},
-          {"turned box", box({-1, -1, -2}, {1, 1.5, 1}, "wall",
-                             R"(, "transform": {"rotate": [{"axis": [1, 2, 3], "angle_deg": 40}]})")}}) {
+          {"turned box",
+           box({-1, -1, -2}, {1, 1.5, 1}, "wall",
+               R"(, "transform": {"rotate": [{"axis": [1, 2, 3], "angle_deg": 40}]})")}}) {
         Scene scene = furnace(shape, {0.5, 0.9, 0.99}, 50, false, 16);
         const Film film = trace(GetParam(), scene, count(4, 64)).film;
         scene.materials[0].reflectance *= 1.0001f; // the planted error
@@ -52,7 +51,8 @@ TEST_P(EachLab, Furn1000AThousandSurfacesWithoutRoulette) {
     const double albedo[3] = {0.99, 0.999, 1};
     const Scene scene = furnace(unit_sphere, {0.99, 0.999, 1}, 1000, false, 8);
     const Film film = trace(GetParam(), scene, count(2, 64)).film;
-    const Film shorter = trace(GetParam(), furnace(unit_sphere, {0.99, 0.999, 1}, 990, false, 1), 1).film;
+    const Film shorter =
+        trace(GetParam(), furnace(unit_sphere, {0.99, 0.999, 1}, 990, false, 1), 1).film;
     for (int c = 1; c < 3; ++c) // at a = 0.99 the last ten surfaces add only 4e-6
         EXPECT_GT(worst_pixel(shorter, series(rounded(albedo[c]), 1000), c), 1e-5);
     for (int c = 0; c < 3; ++c)

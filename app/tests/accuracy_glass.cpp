@@ -22,8 +22,8 @@ Scene pane(double size, double angle_deg, const std::string& more, const std::st
     return parse({.camera = camera({0, 0, 10 * size}, {0, 0, 0}, 0.01),
                   .materials = R"("pane": {"kind": "glass", "ior": 1.5)" + more +
                                R"(}, "light": )" + diffuse(DVec3(0), DVec3(1)),
-                  .shapes = box(size * DVec3(-0.2, -0.2, -5e-5), size * DVec3(0.2, 0.2, 5e-5), "pane",
-                                turned) +
+                  .shapes = box(size * DVec3(-0.2, -0.2, -5e-5), size * DVec3(0.2, 0.2, 5e-5),
+                                "pane", turned) +
                             ", " +
                             quad(size * DVec3(-1, -1, -2), size * DVec3(1, -1, -2),
                                  size * DVec3(1, 1, -2), size * DVec3(-1, 1, -2), "light"),
@@ -41,15 +41,17 @@ TEST_P(EachLab, PaneTransmitsWhatFresnelLeaves) {
         for (const double size : {1e-2, 1.0, 1e4}) {
             // Whitted's tracer follows both ways at every interface: no noise.
             const auto off = [&](const std::string& more) {
-                return std::fabs(estimate(trace(GetParam(), pane(size, angle, more, whitted), 2).film)
-                                     .mean - truth);
+                return std::fabs(
+                    estimate(trace(GetParam(), pane(size, angle, more, whitted), 2).film).mean -
+                    truth);
             };
             figure("PANE", GetParam(), fmt::format("{} deg, S = {}, whitted", angle, size), off(""),
-                   2e-5, angle > 0 ? std::optional(off(R"(, "fresnel": "schlick")")) : std::nullopt);
+                   2e-5,
+                   angle > 0 ? std::optional(off(R"(, "fresnel": "schlick")")) : std::nullopt);
             const Estimate found =
                 estimate(trace(GetParam(), pane(size, angle, "", path), count(100, 4000)).film);
-            figure("PANE", GetParam(), fmt::format("{} deg, S = {}, path: {:.5f}", angle, size,
-                                                   found.mean),
+            figure("PANE", GetParam(),
+                   fmt::format("{} deg, S = {}, path: {:.5f}", angle, size, found.mean),
                    std::fabs(found.mean - truth), 1e-4 + 4 * found.error);
         }
     }
@@ -62,17 +64,16 @@ TEST_P(EachLab, PaneTransmitsWhatFresnelLeaves) {
 // number of its paths that were not cut off at max_depth.
 TEST_P(EachLab, GlassFurnEveryPathThatGetsOutFindsOne) {
     for (const double size : {1e-3, 1.0, 1e4}) {
-        Scene scene = parse(
-            {.camera = camera(size * DVec3(0, 0.3, 5), {0, 0, 0}, 40),
-             .materials = R"("glass": {"kind": "glass", "ior": 1.5},
+        Scene scene = parse({.camera = camera(size * DVec3(0, 0.3, 5), {0, 0, 0}, 40),
+                             .materials = R"("glass": {"kind": "glass", "ior": 1.5},
                              "bubble": {"kind": "glass", "ior": 0.6666666666666667})",
-             .shapes = sphere(size * DVec3(-1.1, 0, 0), size, "glass") + ", " +
-                       sphere(size * DVec3(1.1, 0, 0), size, "glass") + ", " +
-                       sphere(size * DVec3(1.1, 0, 0), 0.6 * size, "bubble"),
-             .lights = white_sky,
-             .render = R"("max_depth": 64, "roulette": false)",
-             .width = 32,
-             .height = 20});
+                             .shapes = sphere(size * DVec3(-1.1, 0, 0), size, "glass") + ", " +
+                                       sphere(size * DVec3(1.1, 0, 0), size, "glass") + ", " +
+                                       sphere(size * DVec3(1.1, 0, 0), 0.6 * size, "bubble"),
+                             .lights = white_sky,
+                             .render = R"("max_depth": 64, "roulette": false)",
+                             .width = 32,
+                             .height = 20});
         const auto worst = [&](const Traced& traced) {
             const std::size_t pixels = traced.film.pixels.size();
             double off = 0;
@@ -80,7 +81,8 @@ TEST_P(EachLab, GlassFurnEveryPathThatGetsOutFindsOne) {
                 double out = 0;
                 for (std::size_t k = i; k < traced.records.size(); k += pixels)
                     out += traced.records[k].end == PathEnd::escaped;
-                off = std::max(off, std::fabs(traced.film.pixels[i].sum[0] - out) / std::max(1.0, out));
+                off = std::max(off,
+                               std::fabs(traced.film.pixels[i].sum[0] - out) / std::max(1.0, out));
             }
             return off;
         };
@@ -89,8 +91,8 @@ TEST_P(EachLab, GlassFurnEveryPathThatGetsOutFindsOne) {
         scene.materials[0].reflectance = Vec3(0.9999f); // the planted error
         figure("GLASS-FURN", GetParam(), fmt::format("S = {}: worst pixel", size), worst(traced),
                1e-5, worst(trace(GetParam(), scene, 4)));
-        figure("GLASS-FURN", GetParam(), fmt::format("S = {}: paths beyond 64 surfaces", size), tail,
-               1e-5);
+        figure("GLASS-FURN", GetParam(), fmt::format("S = {}: paths beyond 64 surfaces", size),
+               tail, 1e-5);
         EXPECT_EQ(paths_that(traced, PathEnd::absorbed), 0);
     }
 }

@@ -1,4 +1,5 @@
-// BOX-CORNER, TRI-EDGE, SELF-CONVEX, GAP-LEAK: closed is closed, and a ray leaves what it starts on.
+// BOX-CORNER, TRI-EDGE, SELF-CONVEX, GAP-LEAK: closed is closed, and a ray leaves what it starts
+// on.
 #include "app/tests/accuracy.h"
 #include "app/tests/icosphere.h"
 #include "common/geometry/offset.h"
@@ -43,13 +44,13 @@ TEST_P(EachLab, BoxCornerNothingEscapes) {
         for (const DVec3& place : places_by_corners_and_edges()) {
             const DVec3 position = is_turned ? turn * place : place;
             const DVec3 middle = is_turned ? turn * (0.5 * (low + high)) : 0.5 * (low + high);
-            Scene scene = parse(
-                {.camera = camera(position, middle, 100),
-                 .materials = R"("wall": )" + diffuse(DVec3(1), DVec3(1)),
-                 .shapes = box(low, high, "wall", is_turned ? turned : ""),
-                 .render = R"("max_depth": 100, "roulette": false, "direct_light": "bsdf")",
-                 .width = 16,
-                 .height = 16});
+            Scene scene =
+                parse({.camera = camera(position, middle, 100),
+                       .materials = R"("wall": )" + diffuse(DVec3(1), DVec3(1)),
+                       .shapes = box(low, high, "wall", is_turned ? turned : ""),
+                       .render = R"("max_depth": 100, "roulette": false, "direct_light": "bsdf")",
+                       .width = 16,
+                       .height = 16});
             const Traced traced = trace(GetParam(), scene, count(2, 40));
             escaped += paths_that(traced, PathEnd::escaped);
             legs += bounces(traced);
@@ -102,13 +103,12 @@ TEST_P(EachLab, TriEdgeNoRayLeavesAClosedMeshThroughAnEdge) {
 
 // The same mesh rendered: a furnace of 320 triangles loses no path.
 TEST_P(EachLab, TriEdgeAFurnaceOfTrianglesLosesNoPath) {
-    Scene scene =
-        parse({.camera = camera({0.3, 0.2, 0.1}, {1, 0, 0}, 90),
-               .materials = R"("wall": )" + diffuse(DVec3(0.9), DVec3(1)),
-               .shapes = "",
-               .render = R"("max_depth": 50, "roulette": false, "direct_light": "bsdf")",
-               .width = 16,
-               .height = 16});
+    Scene scene = parse({.camera = camera({0.3, 0.2, 0.1}, {1, 0, 0}, 90),
+                         .materials = R"("wall": )" + diffuse(DVec3(0.9), DVec3(1)),
+                         .shapes = "",
+                         .render = R"("max_depth": 50, "roulette": false, "direct_light": "bsdf")",
+                         .width = 16,
+                         .height = 16});
     add_icosphere(scene, 2, 1, 0, false);
     // Emission counts for shapes that belong to a light; which one matters only to light sampling.
     for (Triangle& t : scene.triangles) t.tags.light = 0;
@@ -132,8 +132,9 @@ TEST_P(EachLab, SelfConvexNoRayMeetsWhatItLeaves) {
         const DVec3 center = size * DVec3(0.7, -0.4, 0.2);
         for (const auto& [name, shape] :
              {std::pair<std::string, std::string>{"sphere", sphere(center, size, "m")},
-              {"triangle", triangle(center + size * DVec3(-9, -8, 1), center + size * DVec3(9, -7, 2),
-                                    center + size * DVec3(0, 11, -1), "m")}}) {
+              {"triangle",
+               triangle(center + size * DVec3(-9, -8, 1), center + size * DVec3(9, -7, 2),
+                        center + size * DVec3(0, 11, -1), "m")}}) {
             const Scene scene = parse({.camera = camera({0, 0, 9 * size}, {0, 0, 0}, 30),
                                        .materials = R"("m": )" + diffuse(DVec3(1)),
                                        .shapes = shape});
@@ -151,12 +152,11 @@ TEST_P(EachLab, SelfConvexNoRayMeetsWhatItLeaves) {
                 const double cosine = i % 2 ? random.between(0.01f, 1.0f)
                                             : std::pow(10.0, random.between(-4.0f, 0.0f));
                 const double sine = std::sqrt(1 - cosine * cosine), phi = 2 * M_PI * random.u();
-                Vec3 wi = Frame::around(surface.ng).to_world(
-                    Vec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
+                Vec3 wi = Frame::around(surface.ng)
+                              .to_world(Vec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
                 if (dot(ray.d, surface.ng) > 0) wi -= 2 * dot(wi, surface.ng) * surface.ng;
                 again += closest(GetParam(), v, spawn_ray(surface, wi)).found();
-                naive_again +=
-                    closest(GetParam(), v, {ray(hit.t) + 1e-4f * wi, wi}).found();
+                naive_again += closest(GetParam(), v, {ray(hit.t) + 1e-4f * wi, wi}).found();
             }
             figure("SELF-CONVEX", GetParam(), fmt::format("{}, S = {}: re-hits", name, size), again,
                    0, size >= 1e4 ? std::optional<double>(naive_again) : std::nullopt);
@@ -178,7 +178,8 @@ TEST_P(EachLab, SelfConvexPathsTouchASphereOnce) {
         const Traced traced = trace(GetParam(), scene, count(2, 64));
         const auto longer = std::count_if(traced.records.begin(), traced.records.end(),
                                           [](const PathRecord& r) { return r.length > 2; });
-        figure("SELF-CONVEX", GetParam(), fmt::format("rendered sphere, S = {}: longer paths", size),
+        figure("SELF-CONVEX", GetParam(),
+               fmt::format("rendered sphere, S = {}: longer paths", size),
                static_cast<double>(longer), 0);
         figure("SELF-CONVEX", GetParam(), fmt::format("rendered sphere, S = {}: furnace off", size),
                worst_pixel(traced.film, 1), 1e-6);
@@ -194,15 +195,15 @@ TEST_P(EachLab, GapLeakALidCloseAboveTheFloorKeepsTheSkyOut) {
         for (const double size : {1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6}) {
             const double g = gap * size;
             const DVec3 eye = size * DVec3(0.3, gap / 2, 0.2);
-            const Scene scene = parse(
-                {.camera = camera(eye, {eye.x + g, 0, eye.z}, 60),
-                 .materials = R"("floor": )" + diffuse(DVec3(1)) + R"(, "lid": )" + diffuse(DVec3(0)),
-                 .shapes = plane({0, 0, 0}, {0, 1, 0}, "floor") + ", " +
-                           plane({0, g, 0}, {0, 1, 0}, "lid"),
-                 .lights = white_sky,
-                 .render = R"("max_depth": 3, "roulette": false)",
-                 .width = 16,
-                 .height = 16});
+            const Scene scene = parse({.camera = camera(eye, {eye.x + g, 0, eye.z}, 60),
+                                       .materials = R"("floor": )" + diffuse(DVec3(1)) +
+                                                    R"(, "lid": )" + diffuse(DVec3(0)),
+                                       .shapes = plane({0, 0, 0}, {0, 1, 0}, "floor") + ", " +
+                                                 plane({0, g, 0}, {0, 1, 0}, "lid"),
+                                       .lights = white_sky,
+                                       .render = R"("max_depth": 3, "roulette": false)",
+                                       .width = 16,
+                                       .height = 16});
             const Film film = trace(GetParam(), scene, count(4, 400)).film;
             const auto lit = std::count_if(film.pixels.begin(), film.pixels.end(),
                                            [](const FilmPixel& p) { return p.sum[0] != 0; });

@@ -10,12 +10,13 @@ namespace {
 
 Estimate render(const std::string& lab, DVec3 receiver, DVec3 eye, const std::string& light,
                 double radiance, const std::string& strategy, int spp) {
-    const Scene scene = parse(
-        {.camera = camera(eye, receiver, 1e-3),
-         .materials = R"("floor": )" + diffuse(DVec3(1)) + R"(, "light": )" +
-                      diffuse(DVec3(0), DVec3(radiance)),
-         .shapes = plane({0, 0, 0}, {0, 1, 0}, "floor") + ", " + light,
-         .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" + strategy + '"'});
+    const Scene scene =
+        parse({.camera = camera(eye, receiver, 1e-3),
+               .materials = R"("floor": )" + diffuse(DVec3(1)) + R"(, "light": )" +
+                            diffuse(DVec3(0), DVec3(radiance)),
+               .shapes = plane({0, 0, 0}, {0, 1, 0}, "floor") + ", " + light,
+               .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" +
+                         strategy + '"'});
     return estimate(trace(lab, scene, spp).film);
 }
 
@@ -29,14 +30,14 @@ TEST_P(EachLab, SphLightIsAsBrightAsAPointAtItsCentre) {
             const double truth = std::cos(tilt), radiance = 1 / (ratio * ratio);
             for (const std::string strategy : {"light", "mis", "bsdf"}) {
                 if (strategy == "bsdf" && ratio < 0.4) continue; // too noisy to tell
-                const Estimate found =
-                    render(GetParam(), {0, 0, 0}, {-0.1, 0.05, 0}, lamp, radiance, strategy,
-                           count(128, 8192));
+                const Estimate found = render(GetParam(), {0, 0, 0}, {-0.1, 0.05, 0}, lamp,
+                                              radiance, strategy, count(128, 8192));
                 const double tolerance = 1e-5 + 4 * found.error;
                 // The naive cone, 1 - cos from rounded numbers, has a density that is off by this:
                 const float sin2 = static_cast<float>(ratio * ratio);
                 const double naive = (1.0 - std::sqrt(1 - ratio * ratio)) /
-                                         static_cast<double>(1 - sqrtf(1 - sin2)) - 1;
+                                         static_cast<double>(1 - sqrtf(1 - sin2)) -
+                                     1;
                 figure("SPHLIGHT", GetParam(),
                        fmt::format("r/d {}, tilt {}, {}", ratio, tilt, strategy),
                        std::fabs(found.mean - truth), tolerance,
@@ -68,8 +69,9 @@ TEST_P(EachLab, PolyLightIsLambertsFormula) {
         const DVec3 eye = receiver + DVec3(-0.6 * h, 0.4 * h, 0.1 * h);
         const double truth = lambert(receiver, h);
         for (const std::string strategy : {"light", "mis", "bsdf"}) {
-            // Points of the square alone, at a hundredth of its size, are too noisy to tell anything:
-            // the variance grows with 1 / h^2. The heuristic leaves that light to the BSDF.
+            // Points of the square alone, at a hundredth of its size, are too noisy to tell
+            // anything: the variance grows with 1 / h^2. The heuristic leaves that light to the
+            // BSDF.
             if (strategy == "light" && h < 0.1) continue;
             const Estimate found =
                 render(GetParam(), receiver, eye, lamp, M_PI, strategy, count(512, 16384));

@@ -12,8 +12,8 @@ std::string object(double sign) {
         for (int j = 0; j < 8; ++j) {
             const double x = -1.6 + 0.4 * i, y = -1.6 + 0.4 * j, z = sign * (4 + 0.1 * i);
             const double z2 = sign * (4 + 0.1 * (i + 1));
-            shapes += ", " + quad({x, y, z}, {x + 0.4, y, z2}, {x + 0.4, y + 0.4, z2}, {x, y + 0.4, z},
-                                  fmt::format("m{}", (i * 3 + j * 5) % 4));
+            shapes += ", " + quad({x, y, z}, {x + 0.4, y, z2}, {x + 0.4, y + 0.4, z2},
+                                  {x, y + 0.4, z}, fmt::format("m{}", (i * 3 + j * 5) % 4));
         }
     return shapes;
 }
@@ -21,7 +21,8 @@ std::string object(double sign) {
 std::string glowing() {
     std::string materials;
     for (int i = 0; i < 4; ++i)
-        materials += fmt::format(R"("m{}": {}, )", i, diffuse(DVec3(0), DVec3(1 + i, 4 - i, 0.5 * i)));
+        materials +=
+            fmt::format(R"("m{}": {}, )", i, diffuse(DVec3(0), DVec3(1 + i, 4 - i, 0.5 * i)));
     return materials;
 }
 
@@ -30,9 +31,10 @@ TEST_P(EachLab, MirrorImgIsTheVirtualObject) {
     const auto picture = [&](const std::string& shapes, double reflectance) {
         return trace(GetParam(),
                      parse({.camera = camera({0.1, 0.2, 2}, {0, 0, 0}, 25),
-                            .materials = glowing() + fmt::format(
-                                R"("mirror": {{"kind": "mirror", "reflectance": {}}})",
-                                text(DVec3(reflectance))),
+                            .materials =
+                                glowing() +
+                                fmt::format(R"("mirror": {{"kind": "mirror", "reflectance": {}}})",
+                                            text(DVec3(reflectance))),
                             .shapes = shapes,
                             .render = R"("max_depth": 2, "direct_light": "bsdf")",
                             .width = 96,
@@ -52,35 +54,39 @@ TEST_P(EachLab, MirrorImgIsTheVirtualObject) {
     figure("MIRROR-IMG", GetParam(), "mean difference of a pixel",
            distance(picture(object(1) + ", " + mirror, 1), virtual_object), 1e-4,
            distance(picture(object(1) + ", " + tilted, 1), virtual_object));
-    figure("MIRROR-IMG", GetParam(), "reflectance 0.9 against 0.9 of it",
-           [&] {
-               const Film film = picture(object(1) + ", " + mirror, 0.9);
-               double off = 0;
-               for (std::size_t i = 0; i < film.pixels.size(); ++i)
-                   off += std::fabs(pixel_mean(film.pixels[i]) - 0.9 * pixel_mean(virtual_object.pixels[i]));
-               return off / film.pixels.size();
-           }(),
-           1e-4);
+    figure(
+        "MIRROR-IMG", GetParam(), "reflectance 0.9 against 0.9 of it",
+        [&] {
+            const Film film = picture(object(1) + ", " + mirror, 0.9);
+            double off = 0;
+            for (std::size_t i = 0; i < film.pixels.size(); ++i)
+                off += std::fabs(pixel_mean(film.pixels[i]) -
+                                 0.9 * pixel_mean(virtual_object.pixels[i]));
+            return off / film.pixels.size();
+        }(),
+        1e-4);
 }
 
-// Mirrors at x = 0 and x = 1, a light across the far end. Unfolded, the corridor is a straight line:
-// aimed at x = 0.5 + k there, a ray is reflected k times.
+// Mirrors at x = 0 and x = 1, a light across the far end. Unfolded, the corridor is a straight
+// line: aimed at x = 0.5 + k there, a ray is reflected k times.
 TEST_P(EachLab, MirrorImgTwentyImagesFadeByRho) {
     const double rho = static_cast<float>(0.9);
     double worst = 0, planted = 0;
     for (int k = 0; k <= 20; ++k) {
         const Film film =
-            trace(GetParam(),
-                  parse({.camera = camera({0.5, 0, 0}, {0.5 + k, 0, -8}, 0.01),
-                         .materials = R"("mirror": {"kind": "mirror", "reflectance": [0.9, 0.9, 0.9]},
-                                         "light": )" + diffuse(DVec3(0), DVec3(1)),
-                         .shapes = plane({0, 0, 0}, {1, 0, 0}, "mirror") + ", " +
-                                   plane({1, 0, 0}, {1, 0, 0}, "mirror") + ", " +
-                                   quad({-1, -1, -8}, {2, -1, -8}, {2, 1, -8}, {-1, 1, -8}, "light"),
-                         .render = R"("max_depth": 40, "roulette": false)",
-                         .width = 4,
-                         .height = 4}),
-                  2)
+            trace(
+                GetParam(),
+                parse({.camera = camera({0.5, 0, 0}, {0.5 + k, 0, -8}, 0.01),
+                       .materials = R"("mirror": {"kind": "mirror", "reflectance": [0.9, 0.9, 0.9]},
+                                         "light": )" +
+                                    diffuse(DVec3(0), DVec3(1)),
+                       .shapes = plane({0, 0, 0}, {1, 0, 0}, "mirror") + ", " +
+                                 plane({1, 0, 0}, {1, 0, 0}, "mirror") + ", " +
+                                 quad({-1, -1, -8}, {2, -1, -8}, {2, 1, -8}, {-1, 1, -8}, "light"),
+                       .render = R"("max_depth": 40, "roulette": false)",
+                       .width = 4,
+                       .height = 4}),
+                2)
                 .film;
         worst = std::max(worst, worst_pixel(film, std::pow(rho, k)));
         planted = std::max(planted, worst_pixel(film, std::pow(rho, k + 1)));

@@ -1,8 +1,8 @@
 // RNG-CORR: the random numbers of a path's first bounce, read off the image.
 //
 // A diffuse floor under a sky whose red is the longitude of a direction and whose green is sin^2 of
-// its angle from the zenith. Cosine-distributed directions make both uniform in [0, 1], so a pixel's
-// red and green are the two numbers of its first bounce, folded.
+// its angle from the zenith. Cosine-distributed directions make both uniform in [0, 1], so a
+// pixel's red and green are the two numbers of its first bounce, folded.
 #include "app/tests/accuracy.h"
 #include "common/scene/environment_map.h"
 
@@ -56,7 +56,8 @@ Numbers numbers(const std::string& lab, const Scene& scene, int spp) {
     return result;
 }
 
-template <class Pair> double correlation(const Numbers& n, int lag_sample, int lag_pixel, Pair pair) {
+template <class Pair>
+double correlation(const Numbers& n, int lag_sample, int lag_pixel, Pair pair) {
     test::Correlation c;
     for (std::size_t s = 0; s + lag_sample < n.size(); ++s)
         for (std::size_t p = 0; p + lag_pixel < n[s].size(); ++p) {
@@ -93,7 +94,8 @@ TEST_P(EachLab, RngCorrFirstBouncesOfPixelsAndSamplesAreUnrelated) {
 
         std::vector<double> cells(16 * 16);
         for (const Vec2& v : n[0])
-            ++cells[std::min(15, static_cast<int>(v.x * 16)) * 16 + std::min(15, static_cast<int>(v.y * 16))];
+            ++cells[std::min(15, static_cast<int>(v.x * 16)) * 16 +
+                    std::min(15, static_cast<int>(v.y * 16))];
         const double p = test::chi_square_uniform_p(cells);
         note("RNG-CORR", GetParam(), fmt::format("{}: chi-square of 256 cells, p", name), p);
         EXPECT_GT(p, 1e-3);

@@ -50,8 +50,10 @@ TEST_P(EachLab, Pow2ScaleChangesNoBitOfAnyBundledScene) {
         const Film film = trace(GetParam(), scene, 2).film;
         double worst = 0;
         for (const int k : powers)
-            worst = std::max(worst, differing_pixels(trace(GetParam(), scaled(scene, k), 2).film, film));
-        figure("POW2-SCALE", GetParam(), fmt::format("{}: share of pixels that change", name), worst, 0);
+            worst = std::max(worst,
+                             differing_pixels(trace(GetParam(), scaled(scene, k), 2).film, film));
+        figure("POW2-SCALE", GetParam(), fmt::format("{}: share of pixels that change", name),
+               worst, 0);
     }
 }
 
@@ -60,12 +62,14 @@ TEST_P(EachLab, Pow2ScaleSeesOneLengthLeftOut) {
     const Scene lens = small("depth_of_field", 32);
     Scene grown = scaled(lens, 1);
     grown.camera.lens_radius = lens.camera.lens_radius;
-    EXPECT_GT(differing_pixels(trace(GetParam(), grown, 1).film, trace(GetParam(), lens, 1).film), 0.1);
+    EXPECT_GT(differing_pixels(trace(GetParam(), grown, 1).film, trace(GetParam(), lens, 1).film),
+              0.1);
 
     const Scene box = small("cornell_spheres", 32);
     grown = scaled(box, 1);
     grown.spheres[0].radius = box.spheres[0].radius;
-    EXPECT_GT(differing_pixels(trace(GetParam(), grown, 1).film, trace(GetParam(), box, 1).film), 0.01);
+    EXPECT_GT(differing_pixels(trace(GetParam(), grown, 1).film, trace(GetParam(), box, 1).film),
+              0.01);
 }
 
 // What an absolute epsilon does to bounces: the next hit's distance, with the exponent taken out.
@@ -115,7 +119,9 @@ TEST_P(EachLab, OffsetHitPointsLieOnTheirSurface) {
             const Ray ray = generate_ray(v.camera, i % 8, i / 8 % 8, random.square(), Vec2(0.5f));
             const Hit hit = closest(GetParam(), v, ray);
             if (!hit.found()) continue;
-            const auto residue = [&](Vec3 p) { return std::fabs(glm::length(DVec3(p) - place) - 1); };
+            const auto residue = [&](Vec3 p) {
+                return std::fabs(glm::length(DVec3(p) - place) - 1);
+            };
             worst = std::max(worst, residue(surface_at<feature::all>(v, ray, hit).p));
             naive = std::max(naive, residue(ray(hit.t)));
         }

@@ -14,7 +14,9 @@ namespace {
 // plane: at equal t the lowest id is seen, whatever comes first in memory.
 Scene stacked() {
     std::string shapes;
-    const auto add = [&](const std::string& shape) { shapes += (shapes.empty() ? "" : ", ") + shape; };
+    const auto add = [&](const std::string& shape) {
+        shapes += (shapes.empty() ? "" : ", ") + shape;
+    };
     for (const char* m : {"red", "green", "blue"}) {
         add(sphere({-1.2, 0, 0}, 0.7, m));
         add(quad({-2, -1, -1}, {0, -1, -1}, {0, 1, -1}, {-2, 1, -1}, m));
@@ -27,7 +29,8 @@ Scene stacked() {
     }
     return parse({.camera = camera({0.3, 0.2, 5}, {0.1, 0, 0}, 40),
                   .materials = R"("red": )" + diffuse({0.9, 0.1, 0.1}) + R"(, "green": )" +
-                               diffuse({0.1, 0.9, 0.1}) + R"(, "blue": )" + diffuse({0.1, 0.1, 0.9}),
+                               diffuse({0.1, 0.9, 0.1}) + R"(, "blue": )" +
+                               diffuse({0.1, 0.1, 0.9}),
                   .shapes = shapes,
                   .lights = white_sky,
                   .render = R"("max_depth": 4)",
@@ -56,7 +59,8 @@ TEST_P(EachLab, DupCoplanarTheImageDoesNotDependOnTheOrderInMemory) {
         return s;
     };
     for (const int size : {1, 5, 1000})
-        figure("DUP-COPLANAR", GetParam(), fmt::format("shuffled, runs of {}: pixels that change", size),
+        figure("DUP-COPLANAR", GetParam(),
+               fmt::format("shuffled, runs of {}: pixels that change", size),
                differing_pixels(trace(GetParam(), shuffled(size), 4).film, expected), 0);
     // The naive rule, first come first seen, amounts to new ids.
     Scene renumbered = shuffled(5);
@@ -83,8 +87,8 @@ TEST_P(EachLab, OrthoGridEveryPixelShowsItsOwnCube) {
                                                 {i - cells / 2 + 1, j - cells / 2 + 1, 0},
                                                 is_bright(i, j) ? "bright" : "dim");
     Scene scene = parse({.camera = camera({0, 0, 16}, {0, 0, 0}, 50),
-                         .materials = R"("bright": )" + diffuse(DVec3(0), DVec3(1)) + R"(, "dim": )" +
-                                      diffuse(DVec3(0), DVec3(0.25)),
+                         .materials = R"("bright": )" + diffuse(DVec3(0), DVec3(1)) +
+                                      R"(, "dim": )" + diffuse(DVec3(0), DVec3(0.25)),
                          .shapes = shapes,
                          .render = R"("max_depth": 1)",
                          .width = cells,
@@ -127,7 +131,8 @@ TEST_P(EachLab, OrthoGridRaysInFacesMeetTheClosedCubes) {
                         touches |= 2 * i <= x2 && x2 <= 2 * i + 2 && 2 * j <= y2 && y2 <= 2 * j + 2;
                         inside |= 2 * i < x2 && x2 < 2 * i + 2 && 2 * j < y2 && y2 < 2 * j + 2;
                     }
-                const Hit hit = closest(GetParam(), v, {Vec3(0.5f * x2, 0.5f * y2, 5), Vec3(zero, -zero, -1)});
+                const Hit hit =
+                    closest(GetParam(), v, {Vec3(0.5f * x2, 0.5f * y2, 5), Vec3(zero, -zero, -1)});
                 wrong += hit.found() != touches || (touches && hit.t != 5);
                 strict_wrong += touches != inside;
                 ++rays;

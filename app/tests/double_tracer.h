@@ -53,7 +53,8 @@ struct DoubleTracer {
         return nearest;
     }
 
-    // One sample of a pixel. The lamp counts where the camera sees it, then by its own points alone.
+    // One sample of a pixel. The lamp counts where the camera sees it, then by its own points
+    // alone.
     double sample(int x, int y, std::mt19937_64& random) const {
         std::uniform_real_distribution<double> u(0, 1);
         const double sx = (2 * (x + u(random)) / width - 1) * half_width;
@@ -75,8 +76,8 @@ struct DoubleTracer {
             const DVec3 w = to_lamp / distance, lamp_normal = glm::cross(lamp_u, lamp_v);
             double blocked;
             if (dot(w, n) > 0 && !hit(p, w, distance * (1 - 1e-9), blocked))
-                sum += weight * albedo / M_PI * radiance * dot(w, n) * std::fabs(dot(w, lamp_normal)) /
-                       (distance * distance);
+                sum += weight * albedo / M_PI * radiance * dot(w, n) *
+                       std::fabs(dot(w, lamp_normal)) / (distance * distance);
 
             const double phi = 2 * M_PI * u(random), r2 = u(random);
             const DVec3 side = std::fabs(n.x) > 0.5 ? DVec3(0, 1, 0) : DVec3(1, 0, 0);

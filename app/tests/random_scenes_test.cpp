@@ -22,10 +22,10 @@ class Generator {
         for (int i = passive ? 2 : below(3); i < 2; ++i)
             lights += fmt::format(R"({}{{"kind": "point", "position": {}, "intensity": {}}})",
                                   lights.empty() ? "" : ", ", text(point(3)), text(colour(5)));
-        const std::string lens =
-            below(4) == 0 ? fmt::format(R"(, "lens_radius": {}, "focus_distance": {})",
-                                        0.01 + 0.2 * u(), 1 + 4 * u())
-                          : "";
+        const std::string lens = below(4) == 0
+                                     ? fmt::format(R"(, "lens_radius": {}, "focus_distance": {})",
+                                                   0.01 + 0.2 * u(), 1 + 4 * u())
+                                     : "";
         const std::string direct_light[] = {"mis", "light", "bsdf"};
         SceneText t{.camera = camera(point(4), point(1), 20 + 80 * u(), lens),
                     .materials = names,
@@ -35,8 +35,8 @@ class Generator {
                         R"("max_depth": {}, "roulette": {}, "direct_light": "{}", "sampler": "{}",
                            "seed": {})",
                         1 + below(14), !passive && below(2) == 0,
-                        passive ? "bsdf" : direct_light[below(3)], below(2) ? "sobol" : "independent",
-                        below(1000)),
+                        passive ? "bsdf" : direct_light[below(3)],
+                        below(2) ? "sobol" : "independent", below(1000)),
                     .width = 12,
                     .height = 9};
         if (!passive && below(5) == 0)
@@ -88,16 +88,17 @@ class Generator {
     std::string shape(int materials) {
         const std::string m = fmt::format("m{}", below(materials));
         const DVec3 p = point(2);
-        const std::string turned = fmt::format(
-            R"(, "transform": {{"rotate": [{{"axis": {}, "angle_deg": {}}}]}})",
-            text(point(1) + DVec3(0, 0, 2)), 360 * u());
+        const std::string turned =
+            fmt::format(R"(, "transform": {{"rotate": [{{"axis": {}, "angle_deg": {}}}]}})",
+                        text(point(1) + DVec3(0, 0, 2)), 360 * u());
         switch (below(4)) {
         case 0:
             return sphere(p, 0.1 + 1.5 * u() * u(), m);
         case 1:
             return box(p, p + DVec3(0.1) + colour(2), m, below(2) ? turned : "");
         case 2: {
-            const DVec3 side = DVec3(0.1) + point(1), across = cross(side, point(1) + DVec3(0, 0, 3));
+            const DVec3 side = DVec3(0.1) + point(1),
+                        across = cross(side, point(1) + DVec3(0, 0, 3));
             return quad(p, p + side, p + side + across, p + across, m);
         }
         default:
@@ -143,13 +144,15 @@ TEST(RandomScenes, LabsAgreePathByPathAndNoSampleIsWrong) {
                 lit += a > 0;
                 other_values += std::fabs(a - b) > 1e-5 * std::fabs(a);
                 if (!fused) {
-                    EXPECT_LE(std::fabs(a - b), 1e-5 * std::fabs(a)) << "scene " << i << ", pixel " << k;
+                    EXPECT_LE(std::fabs(a - b), 1e-5 * std::fabs(a))
+                        << "scene " << i << ", pixel " << k;
                 }
             }
     }
-    note("RANDOM", "--", fmt::format("{} scenes, {} paths: other paths", scenes, paths), other_paths);
+    note("RANDOM", "--", fmt::format("{} scenes, {} paths: other paths", scenes, paths),
+         other_paths);
     note("RANDOM", "--", "sums that differ by more than 1e-5", other_values);
-    EXPECT_LE(other_paths, paths / 200);   // in a build that fuses: half a percent
+    EXPECT_LE(other_paths, paths / 200); // in a build that fuses: half a percent
     EXPECT_LE(other_values, paths / 200);
     EXPECT_GT(lit, paths / 2); // and the scenes are not mostly black
 }

@@ -1,5 +1,5 @@
-// A scene looks the same in every kernel variant that covers its features, to the bit: what a variant
-// leaves out is only what the scene does not have.
+// A scene looks the same in every kernel variant that covers its features, to the bit: what a
+// variant leaves out is only what the scene does not have.
 #include "app/tests/accuracy.h"
 #include "common/scene/variants.h"
 #include "labs/02_iterative/path.h"
@@ -20,9 +20,9 @@ template <Features F> Rendered render(const Scene& scene) {
         for (std::uint32_t sample = 0; sample < 2; ++sample) {
             const Sampler sampler = {scene.render.sampler, scene.render.seed,
                                      static_cast<std::uint32_t>(pixel), sample};
-            const Ray ray = generate_ray(v.camera, pixel % v.camera.width, pixel / v.camera.width,
-                                         sampler.get_2d(dimension::film),
-                                         sampler.get_2d(dimension::lens));
+            const Ray ray =
+                generate_ray(v.camera, pixel % v.camera.width, pixel / v.camera.width,
+                             sampler.get_2d(dimension::film), sampler.get_2d(dimension::lens));
             PathRecord record;
             rendered.radiance.push_back(
                 lab02::trace_path<F>(v, scene.render, sampler, ray, record));
