@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <vector>
 
 using namespace raylab;
 
@@ -20,6 +21,57 @@ __global__ void shuffles(int count, int* out) {
     int value = threadIdx.x;
     for (int i = 0; i < count; ++i) value = __shfl_xor_sync(0xffffffffu, value, 1);
     if (value < 0) *out = value;
+}
+
+// A small path tracer: mirrors and diffuse spheres under a sky, 8 bounces. Its paths differ in
+// length, as real ones do.
+struct Path {
+    float ox, oy, oz, dx, dy, dz, weight;
+    unsigned state;
+};
+
+__host__ __device__ inline float uniform(unsigned& state) {
+    state = state * 747796405u + 2891336453u;
+    unsigned word = ((state >> (state >> 28 & 15)) ^ state) * 277803737u;
+    return float(word >> 8) * 0x1p-24f;
+}
+
+__host__ __device__ inline float radiance(int pixel) {
+    Path p{0,
+           0,
+           -6,
+           float(pixel % 256) / 128 - 1,
+           float(pixel / 256) / 128 - 1,
+           2,
+           1,
+           unsigned(pixel)};
+    for (int bounce = 0; bounce < 8; ++bounce) {
+        float nearest = 1e30f, nx = 0, ny = 0, nz = 0;
+        float length = sqrtf(p.dx * p.dx + p.dy * p.dy + p.dz * p.dz);
+        p.dx /= length, p.dy /= length, p.dz /= length;
+        for (int i = 0; i < 9; ++i) {
+            float cx = float(i % 3) * 2 - 2, cy = float(i / 3) * 2 - 2, cz = float(i % 2);
+            float x = p.ox - cx, y = p.oy - cy, z = p.oz - cz;
+            float b = x * p.dx + y * p.dy + z * p.dz, c = x * x + y * y + z * z - 0.9f;
+            float root = b * b - c;
+            if (root < 0) continue;
+            float t = -b - sqrtf(root);
+            if (t < 1e-3f || t > nearest) continue;
+            nearest = t, nx = x + t * p.dx, ny = y + t * p.dy, nz = z + t * p.dz;
+        }
+        if (nearest == 1e30f) return p.weight * (1 + p.dy);
+        p.ox += nearest * p.dx, p.oy += nearest * p.dy, p.oz += nearest * p.dz;
+        float cosine = 2 * (p.dx * nx + p.dy * ny + p.dz * nz) / 0.9f;
+        p.dx -= cosine * nx, p.dy -= cosine * ny, p.dz -= cosine * nz;
+        p.dx += uniform(p.state) - 0.5f, p.dy += uniform(p.state) - 0.5f;
+        p.weight *= 0.8f;
+    }
+    return 0;
+}
+
+__global__ void render(float* image, int n) {
+    int i = blockIdx.x * blockDim.x + threadIdx.x;
+    if (i < n) image[i] = radiance(i);
 }
 
 // Processor time of the calling thread, in nanoseconds: others on the machine do not count.
@@ -41,10 +93,32 @@ template <class Work> double best(Work work) {
     return least;
 }
 
+// The kernel and a plain loop over the same function, in turns.
+void compare_with_a_loop() {
+    constexpr int n = 256 * 256;
+    float* image = nullptr;
+    std::vector<float> host(n);
+    simt::check(cudaMalloc(&image, n * sizeof(float)), "cudaMalloc");
+    double kernel = 1e300, loop = 1e300;
+    for (int round = 0; round < 5; ++round) {
+        kernel = std::min(kernel, best([=] { render<<<n / 64, 64>>>(image, n); }));
+        loop = std::min(loop, best([&] {
+                            for (int i = 0; i < n; ++i) host[i] = radiance(i);
+                        }));
+    }
+    std::vector<float> rendered(n);
+    simt::check(cudaMemcpy(rendered.data(), image, n * sizeof(float), cudaMemcpyDeviceToHost),
+                "cudaMemcpy");
+    simt::check(cudaFree(image), "cudaFree");
+    std::printf("path tracing, 64 threads   %8.1f ns a pixel, plain loop %.1f ns: %.3f of it, %s\n",
+                kernel / n, loop / n, kernel / loop, rendered == host ? "same bits" : "DIFFERENT");
+}
+
 } // namespace
 
 int main() {
     simt::set_options({.threads = 1});
+    compare_with_a_loop();
     std::printf("launch of one thread       %8.1f ns\n", best([] {
                                                              for (int i = 0; i < 10000; ++i)
                                                                  nothing<<<1, 1>>>(i);
