@@ -42,8 +42,9 @@ Run add_export(CLI::App& app) {
     app.add_option("SCENE", options->scene, "a bundled scene's name, or a scene file")->required();
     app.add_flag("--mitsuba", options->mitsuba, "as a Mitsuba 3 scene (the only choice so far)")
         ->required();
-    app.add_option("-o,--output", options->folder, "folder for scene.xml and what it names "
-                                                   "(default out/SCENE_mitsuba)");
+    app.add_option("-o,--output", options->folder,
+                   "folder for scene.xml and what it names "
+                   "(default out/SCENE_mitsuba)");
     app.add_flag("-q,--quiet", options->quiet, "print nothing but errors");
     add_scene_options(app, options->changes);
     app.footer("Examples:\n"

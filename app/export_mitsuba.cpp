@@ -17,7 +17,7 @@ namespace {
 // Both faces of a light are this part of its size apart: far above float's resolution, far below
 // what shows in an image.
 constexpr float gap_of_size = 1e-4f;
-constexpr int plane_levels = 8;               // the largest square of a plane is 4^8 times the scene
+constexpr int plane_levels = 8; // the largest square of a plane is 4^8 times the scene
 constexpr int sky_columns = 8, sky_rows = 32; // for each texel of ours
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -27,10 +27,14 @@ constexpr int sky_columns = 8, sky_rows = 32; // for each texel of ours
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
-        if (c == '&') result += "&amp;";
-        else if (c == '<') result += "&lt;";
-        else if (c == '"') result += "&quot;";
-        else result += c;
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
     }
     return result;
 }
@@ -57,7 +61,7 @@ class MitsubaWriter {
     std::vector<ExportedFile> write() {
         if (scene_.render.integrator != Integrator::path)
             refuse("its integrators follow whole paths; use --integrator path");
-        line("<!-- {}, {} -->", "written by raylab export", scene_.hash);
+        line("<!-- written by raylab export; the scene's hash is {} -->", scene_.hash);
         line("<scene version=\"3.0.0\">");
         write_integrator();
         write_camera();
@@ -121,8 +125,9 @@ class MitsubaWriter {
              "<string name=\"pixel_format\" value=\"rgb\"/>"
              "<string name=\"component_format\" value=\"float32\"/></film>",
              camera.width, camera.height);
-        line("<sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/></sampler>",
-             scene_.render.spp);
+        line(
+            "<sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/></sampler>",
+            scene_.render.spp);
         line("</sensor>");
         materials_at_ = text_.size();
     }
@@ -131,7 +136,8 @@ class MitsubaWriter {
         return fmt::format("{}_{}", material, escaped(scene_.material_names[material]));
     }
 
-    // What replaces `name` in a BSDF: the material's reflectance or its texture, texels as they are.
+    // What replaces `name` in a BSDF: the material's reflectance or its texture, texels as they
+    // are.
     std::string reflectance(const Material& material, const char* name) {
         if (material.texture < 0) return rgb(name, material.reflectance);
         const std::string file = fmt::format("texture_{}.pfm", material.texture);
@@ -160,8 +166,9 @@ class MitsubaWriter {
         const Material& m = scene_.materials[index];
         const std::string name = scene_.material_names[index];
         const auto opaque = [&](const char* type, const std::string& content) {
-            return fmt::format("<bsdf type=\"twosided\" id=\"{}\"><bsdf type=\"{}\">{}</bsdf></bsdf>\n",
-                               id(index), type, content);
+            return fmt::format(
+                "<bsdf type=\"twosided\" id=\"{}\"><bsdf type=\"{}\">{}</bsdf></bsdf>\n", id(index),
+                type, content);
         };
         const auto clear = [&](const char* type, const std::string& content) {
             return fmt::format("<bsdf type=\"{}\" id=\"{}\"><float name=\"int_ior\" value=\"{}\"/>"
@@ -170,11 +177,13 @@ class MitsubaWriter {
                                reflectance(m, "specular_reflectance"),
                                reflectance(m, "specular_transmittance"));
         };
-        const bool has_fresnel = m.kind == MaterialKind::glass || m.kind == MaterialKind::conductor ||
+        const bool has_fresnel = m.kind == MaterialKind::glass ||
+                                 m.kind == MaterialKind::conductor ||
                                  m.kind == MaterialKind::rough_dielectric;
         if (has_fresnel && m.fresnel == FresnelModel::schlick)
             refuse(fmt::format("the material '{}' uses Schlick's approximation, and Mitsuba has "
-                               "Fresnel's equations only", name));
+                               "Fresnel's equations only",
+                               name));
         switch (m.kind) {
         case MaterialKind::diffuse:
             return opaque("diffuse", reflectance(m, "reflectance"));
@@ -184,7 +193,8 @@ class MitsubaWriter {
         case MaterialKind::glass:
             return clear("dielectric", "");
         case MaterialKind::phong:
-            refuse(fmt::format("the material '{}' is Phong's, which Mitsuba 3 does not have", name));
+            refuse(
+                fmt::format("the material '{}' is Phong's, which Mitsuba 3 does not have", name));
         case MaterialKind::conductor:
             return opaque(m.is_smooth() ? "conductor" : "roughconductor",
                           (m.is_smooth() ? "" : roughness(m)) + rgb("eta", m.eta) + rgb("k", m.k) +
@@ -260,7 +270,8 @@ class MitsubaWriter {
                                             radius, inwards));
             };
             write(sphere.radius, false);
-            if (is_emissive(scene_.materials[material])) write(sphere.radius * (1 - gap_of_size), true);
+            if (is_emissive(scene_.materials[material]))
+                write(sphere.radius * (1 - gap_of_size), true);
         }
     }
 

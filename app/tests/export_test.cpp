@@ -1,5 +1,6 @@
-// What is written for Mitsuba. That Mitsuba draws the same picture from it is tools/cross_check's to
-// show; here: that what is written says what the scene says, and that nothing is left out silently.
+// What is written for Mitsuba. That Mitsuba draws the same picture from it is tools/cross_check's
+// to show; here: that what is written says what the scene says, and that nothing is left out
+// silently.
 #include "app/export_mitsuba.h"
 #include "app/export_ply.h"
 #include "app/labs.h"
@@ -19,9 +20,11 @@ std::string scene_with(const std::string& material, const std::string& lights = 
         "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40},
         "film": {"width": 8, "height": 8},
         "render": {"integrator": "path", "max_depth": 4, "spp": 1, "seed": 1},
-        "materials": {"a & b": )" + material + R"(},
+        "materials": {"a & b": )" +
+           material + R"(},
         "shapes": [{"kind": "quad", "vertices": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]],
-                    "material": "a & b"}])" + lights + "}";
+                    "material": "a & b"}])" +
+           lights + "}";
 }
 
 std::string bytes_of(const std::vector<ExportedFile>& files, const std::string& name) {
@@ -41,9 +44,12 @@ std::string refusal(const std::string& material) {
 }
 
 TEST(MitsubaExport, RefusesByNameWhatMitsubaDoesNotHave) {
-    EXPECT_THAT(refusal(R"({"kind": "phong", "reflectance": [0, 0, 0], "specular": [1, 1, 1], "exponent": 9})"),
-                HasSubstr("'a & b' is Phong's"));
-    EXPECT_THAT(refusal(R"({"kind": "glass", "ior": 1.5, "fresnel": "schlick"})"), HasSubstr("Schlick"));
+    EXPECT_THAT(
+        refusal(
+            R"({"kind": "phong", "reflectance": [0, 0, 0], "specular": [1, 1, 1], "exponent": 9})"),
+        HasSubstr("'a & b' is Phong's"));
+    EXPECT_THAT(refusal(R"({"kind": "glass", "ior": 1.5, "fresnel": "schlick"})"),
+                HasSubstr("Schlick"));
     EXPECT_EQ(refusal(R"({"kind": "glass", "ior": 1.5})"), "written");
     EXPECT_THROW(mitsuba_files(load_scene(find_scene("whitted"))), UsageError);
 }
@@ -63,7 +69,8 @@ TEST(MitsubaExport, EscapesNamesAndLeavesOutUnusedMaterials) {
 // The lamp's second face: the same square seen from behind, just behind it.
 TEST(MitsubaExport, LightsShineFromBothSides) {
     PlyMesh front;
-    front.add(Quad{{Vec3(0, 0, 3), Vec3(2, 0, 3), Vec3(2, 2, 3), Vec3(0, 2, 3)}, Vec3(0, 0, 1), {}});
+    front.add(
+        Quad{{Vec3(0, 0, 3), Vec3(2, 0, 3), Vec3(2, 2, 3), Vec3(0, 2, 3)}, Vec3(0, 0, 1), {}});
     const PlyMesh back = front.back(0.25f);
     for (const auto& [i, j, k] : back.faces) {
         const Vec3 a = back.positions[i], b = back.positions[j], c = back.positions[k];
@@ -72,15 +79,16 @@ TEST(MitsubaExport, LightsShineFromBothSides) {
         EXPECT_EQ(b.z, 2.75f);
         EXPECT_EQ(c.z, 2.75f);
     }
-    const auto files = mitsuba_files(
-        parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0], "emission": [1, 2, 3]})"),
-                    "test.json"));
+    const auto files = mitsuba_files(parse_scene(
+        scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0], "emission": [1, 2, 3]})"),
+        "test.json"));
     EXPECT_EQ(files.size(), 3u); // the scene and two faces
 }
 
 TEST(MitsubaExport, FloatsSurviveAsText) {
     PlyMesh mesh;
-    mesh.add(Triangle{{Vec3(0.1f, 1.0f / 3, 1e-30f), Vec3(16777217, 2, 3), Vec3(-0.7f, 5, 6e30f)}, {}, -1, {}});
+    mesh.add(Triangle{
+        {Vec3(0.1f, 1.0f / 3, 1e-30f), Vec3(16777217, 2, 3), Vec3(-0.7f, 5, 6e30f)}, {}, -1, {}});
     const std::string text = encode_ply(mesh);
     const std::size_t body = text.find("end_header\n") + 11;
     Vec3 p;
@@ -88,10 +96,11 @@ TEST(MitsubaExport, FloatsSurviveAsText) {
     EXPECT_EQ(p, mesh.positions[0]);
 }
 
-// The mean of the interpolated sky over one of our texels: its own radiance, and for a quarter of the
-// ramps above and below the neighbour's, which gets as much of its own back.
+// The mean of the interpolated sky over one of our texels: its own radiance, and for a quarter of
+// the ramps above and below the neighbour's, which gets as much of its own back.
 TEST(MitsubaExport, TheFineSkyKeepsEachTexelsLight) {
-    Scene scene = parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0]})"), "test.json");
+    Scene scene =
+        parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0]})"), "test.json");
     const int w = 4, h = 3;
     scene.environment_light = 0;
     scene.environment_radiance = Vec3(2);

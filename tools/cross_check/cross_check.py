@@ -59,7 +59,9 @@ def check(name, arguments, folder):
     folder = folder / name
     folder.mkdir(parents=True, exist_ok=True)
     options = ["--width", str(width), "--height", str(height), "--spp", str(spp)]
-    seeds = range(1, arguments.replicates + 1)
+    # Seeds of its own for each scene: with common ones chance would favour the same pixels in all.
+    first = arguments.first_seed + 1000 * list(plan.SCENES).index(name)
+    seeds = range(first, first + arguments.replicates)
 
     scene = plan.scene_file(name, folder)
     subprocess.run([arguments.raylab, "export", scene, "--mitsuba", "-q", "-o", folder / "mitsuba",
@@ -100,6 +102,7 @@ def main():
     parser.add_argument("--raylab", default="./raylab", help="the program")
     parser.add_argument("--variant", default="scalar_rgb", help="of Mitsuba (default scalar_rgb)")
     parser.add_argument("--replicates", type=int, default=16)
+    parser.add_argument("--first-seed", type=int, default=1, help="fresh random numbers")
     parser.add_argument("--effort", type=int, default=1, help="factor on the plan's spp")
     parser.add_argument("--scale-albedo", nargs=2, metavar=("MATERIAL", "FACTOR"),
                         help="plant this error on raylab's side")
