@@ -48,7 +48,10 @@ JudgedScene judge_scene(const Lab& lab, const Scene& scene, const Image& referen
 
 void judge_against(JudgedScene& judged, const JudgedScene& other) {
     judged.same_paths = judge_same_paths(judged.first, other.first);
-    judged.passed = judged.passed && judged.same_paths->verdict.passed;
+    Verdict& verdict = judged.same_paths->verdict;
+    verdict.sentence = fmt::format("Against {}, with the same random numbers: {}", other.lab,
+                                   verdict.sentence);
+    judged.passed = judged.passed && verdict.passed;
 }
 
 Image load_reference(const Scene& scene) {
