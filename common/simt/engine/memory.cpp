@@ -89,7 +89,7 @@ class Memory {
         allocations_.clear();
     }
 
-    // Names what the program never freed. In AddressSanitizer's build that is an error.
+    // Names what the program never freed, which in a check build is an error.
     ~Memory() {
         if (!check_build) return;
         int leaks = 0;

@@ -26,7 +26,7 @@ __global__ void divergent() {
         __syncthreads()
 
 __global__ void divergent_on_one_line() {
-    lines[2] = __LINE__ + 1;
+    atomicExch(&lines[2], __LINE__ + 1);
     TWO_BARRIERS(threadIdx.x < 8);
 }
 
