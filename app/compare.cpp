@@ -1,7 +1,9 @@
-// raylab compare A B: error metrics, z-map, verdict.
+// raylab compare A B: error metrics, z-map, verdict, picture.
 #include "app/commands.h"
+#include "app/output.h"
 #include "common/image/image_file.h"
 #include "grader/judge/json.h"
+#include "grader/report/report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +15,7 @@ namespace raylab::app {
 namespace {
 
 struct CompareOptions {
-    std::string a, b, reference;
+    std::string a, b, reference, folder;
     double alpha = 1e-3;
     bool json = false;
 };
@@ -39,12 +41,32 @@ void print_z_map(const ZMap& map) {
     }
 }
 
+// The two side by side, their difference and the z-map, on one page.
+void write_page(const CompareOptions& options, const Comparison& comparison, const Image& a,
+                const Image& b) {
+    ReportEntry entry;
+    entry.scene = b.provenance.scene;
+    entry.title = options.a + " against " + options.b;
+    entry.lab = a.provenance.renderer;
+    entry.passed = comparison.verdict.passed;
+    entry.verdict = comparison.verdict;
+    entry.facts = {{"relMSE of A", fmt::format("{:.3g}", comparison.metrics.rel_mse)},
+                   {"mean error", fmt::format("{:+.3f} %", 100 * comparison.metrics.rel_error)}};
+    entry.image = a;
+    entry.reference = b;
+    entry.details = comparison;
+    write_report({"raylab compare", "", "raylab compare " + options.a + " " + options.b, {entry}},
+                 options.folder);
+}
+
 ExitCode run_compare(const CompareOptions& options) {
+    if (!options.folder.empty()) prepare_output(options.folder + "/report.html");
     const Image a = read_image(options.a), b = read_image(options.b);
     std::optional<Image> reference;
     if (!options.reference.empty()) reference = read_image(options.reference);
     const Comparison comparison =
         compare(a, b, reference ? &*reference : nullptr, options.alpha);
+    if (!options.folder.empty()) write_page(options, comparison, a, b);
     if (options.json) {
         fmt::print("{}\n", nlohmann::json(comparison).dump(2));
     } else {
@@ -72,13 +94,15 @@ Run add_compare(CLI::App& app) {
         ->required();
     app.add_option("B", options->b, "the image to compare it with")->required();
     app.add_option("--reference", options->reference, "measure both against this image");
+    app.add_option("-o,--output", options->folder, "write report.html with the pictures here");
     app.add_option("--alpha", options->alpha, "how often two equal renders may be called different")
         ->check(CLI::Range(1e-12, 0.5))
         ->capture_default_str();
     app.add_flag("--json", options->json, "for programs");
     app.footer("Examples:\n"
                "  raylab compare out/cornell_01.exr out/cornell_02.exr\n"
-               "  raylab compare mine.exr theirs.exr --reference scenes/references/cornell.exr");
+               "  raylab compare mine.exr theirs.exr --reference scenes/references/cornell.exr\n"
+               "  raylab compare mine.exr theirs.exr -o out/compare");
     return [options] { return run_compare(*options); };
 }
 

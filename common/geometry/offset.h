@@ -29,7 +29,7 @@ HD Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error
     const float aim_error = gamma_bound(4) * length(target - o);
     const Vec3 end = offset_point(target, target_normal, target_error + aim_error, o - target);
     const float distance = length(end - o);
-    return {o, (end - o) / distance, distance * (1 - gamma_bound(4))};
+    return {o, (end - o) / distance, distance};
 }
 
 } // namespace raylab

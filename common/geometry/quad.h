@@ -1,17 +1,27 @@
-// Ray and quad: two triangles that share the diagonal v[0] v[2], and one plane.
+// Ray and quad: two triangles that share the diagonal v[0] v[2].
+//
+// The corners' rounding leaves no quad quite flat; seen edge-on it may even look like a bow tie.
+// Its halves are flat, and have no hole from anywhere.
 #pragma once
 
 #include "common/geometry/triangle.h"
 
 namespace raylab {
 
-HD ExactPlane exact_plane(const Quad& quad) {
-    return plane_through(quad.v[0], quad.v[1], quad.v[3]);
+// The plane of the half v[0] v[1] v[2], or of the half v[0] v[2] v[3].
+HD ExactPlane exact_plane(const Quad& quad, bool first_half) {
+    return first_half ? plane_through(quad.v[0], quad.v[1], quad.v[2])
+                      : plane_through(quad.v[0], quad.v[2], quad.v[3]);
+}
+
+// Is p, a point of the quad, in the half v[0] v[1] v[2], to the right of the diagonal?
+HD bool is_in_first_half(const Quad& quad, DVec3 p) {
+    const DVec3 diagonal = DVec3(quad.v[2]) - DVec3(quad.v[0]);
+    return dot(cross(DVec3(quad.normal), diagonal), p - DVec3(quad.v[0])) < 0;
 }
 
 // t in (0, ray.t_max) at which the ray meets the quad, from either side. Edges belong to both
-// neighbours. The corners' rounding leaves no quad quite flat; seen edge-on it may even look like a
-// bow tie. Halved along its diagonal it has no hole from anywhere.
+// neighbours.
 HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
     const Corner a = ray(quad.v[0]), b = ray(quad.v[1]), c = ray(quad.v[2]), d = ray(quad.v[3]);
     const double error =
@@ -21,9 +31,7 @@ HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
     const bool in_first = encloses(edge(a, b), edge(b, c), diagonal, error);
     const bool in_second = encloses(edge(c, d), edge(d, a), -diagonal, error);
     if (!(in_first | in_second)) return false;
-    return hit_between(exact_plane(quad), ray.ray,
-                       glm::min(glm::min(a.depth, b.depth), glm::min(c.depth, d.depth)),
-                       glm::max(glm::max(a.depth, b.depth), glm::max(c.depth, d.depth)), t);
+    return intersect(exact_plane(quad, in_first), ray.ray, t);
 }
 
 } // namespace raylab

@@ -13,9 +13,9 @@
 
 namespace raylab {
 
-// A corner seen along the ray, which passes at (0, 0) and is level with it at t = depth.
+// A corner seen along the ray, which passes at (0, 0).
 struct Corner {
-    double x, y, depth;
+    double x, y;
     double width, size; // |x| + |y|, and that plus the distance along the main axis
 };
 
@@ -24,7 +24,6 @@ struct ShearedRay {
     int kx, ky, kz;   // a cyclic permutation of the axes; d is largest along kz
     float ox, oy, oz; // the origin, permuted
     double sx, sy;    // d.x / d.z and d.y / d.z, permuted: both within [-1, 1]
-    double inv_dz;
 
     HD explicit ShearedRay(const Ray& r) : ray(r) {
         const Vec3 size = abs(r.d);
@@ -34,9 +33,8 @@ struct ShearedRay {
         // Selected, not indexed: an index would put the ray into a GPU's slow local memory.
         const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
         ox = along(r.o, kx), oy = along(r.o, ky), oz = along(r.o, kz);
-        inv_dz = 1 / double(along(r.d, kz));
-        sx = along(r.d, kx) * inv_dz;
-        sy = along(r.d, ky) * inv_dz;
+        sx = along(r.d, kx) / double(along(r.d, kz));
+        sy = along(r.d, ky) / double(along(r.d, kz));
     }
 
     // The corner moved along d into the plane z = o.z.
@@ -45,7 +43,7 @@ struct ShearedRay {
         const double z = double(p[kz]) - oz;
         const double x = (double(p[kx]) - ox) - sx * z, y = (double(p[ky]) - oy) - sy * z;
         const double width = fabs(x) + fabs(y);
-        return {x, y, z * inv_dz, width, width + fabs(z)};
+        return {x, y, width, width + fabs(z)};
     }
 };
 

@@ -37,13 +37,14 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere&
 }
 
 template <Features F> HD SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
-    const ExactPlane plane = exact_plane(quad);
+    const bool first_half = is_in_first_half(quad, p);
+    const ExactPlane plane = exact_plane(quad, first_half);
     p = clear_of_edges(quad.v, plane, project(plane, p));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
-    s.error =
-        error_on_plane(plane, s.p, s.ng, normal_conditioning(quad.v[0], quad.v[1], quad.v[3]));
+    s.error = error_on_plane(plane, s.p, s.ng,
+                             normal_conditioning(quad.v[0], quad.v[2], quad.v[first_half ? 1 : 3]));
     s.shading = Frame::around(s.ng);
     if constexpr (F & feature::texture) s.uv = quad_uv(quad, p);
     return s;

@@ -16,16 +16,6 @@ HD ExactPlane exact_plane(const Triangle& triangle) {
     return plane_through(triangle.v[0], triangle.v[1], triangle.v[2]);
 }
 
-// t of a ray that passes between corners whose depths span [near_depth, far_depth]. A ray almost in
-// the plane makes the quotient ill-conditioned, but cannot meet the face outside that span.
-HD bool hit_between(const ExactPlane& plane, const Ray& ray, double near_depth, double far_depth,
-                    float& t) {
-    double distance;
-    if (!distance_to(plane, ray, distance)) return false;
-    t = float(glm::clamp(distance, near_depth, far_depth));
-    return t > 0 && t < ray.t_max;
-}
-
 // t in (0, ray.t_max) at which the ray meets the triangle, from either side. Edges and corners
 // belong to every triangle that has them. A triangle without area, or with a NaN in it, is never
 // hit.
@@ -34,9 +24,7 @@ HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
     const double error = edge_error(glm::max(glm::max(a.width, b.width), c.width),
                                     glm::max(glm::max(a.size, b.size), c.size));
     if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
-    return hit_between(exact_plane(triangle), ray.ray,
-                       glm::min(glm::min(a.depth, b.depth), c.depth),
-                       glm::max(glm::max(a.depth, b.depth), c.depth), t);
+    return intersect(exact_plane(triangle), ray.ray, t);
 }
 
 } // namespace raylab

@@ -22,13 +22,11 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
                                     std::max({a.size, b.size, c.size}));
     if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
 
-    // Where the ray crosses the triangle's plane, kept within the depths of the three corners: a
-    // ray almost in the plane makes the quotient a guess.
+    // Where the ray crosses the triangle's plane: t = n.(v0 - o) / n.d.
     const DVec3 corner(v[0]), normal = cross(DVec3(v[1]) - corner, DVec3(v[2]) - corner);
-    double distance;
-    if (!distance_to({corner, normal}, ray.ray, distance)) return false;
-    const auto [nearest, farthest] = std::minmax({a.depth, b.depth, c.depth});
-    t = static_cast<float>(std::clamp(distance, nearest, farthest));
+    const double slope = dot(normal, DVec3(ray.ray.d));
+    if (slope == 0) return false;
+    t = static_cast<float>(dot(normal, corner - DVec3(ray.ray.o)) / slope);
     return t > 0 && t < ray.ray.t_max;
     //| not_implemented("1.2", "hit_triangle()");
     //| return false;
