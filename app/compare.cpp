@@ -21,7 +21,8 @@ struct CompareOptions {
 };
 
 void print_metrics(const std::string& name, const Metrics& metrics) {
-    fmt::print("{:24} relMSE {:.3g}, mean {:+.3f} %", name, metrics.rel_mse, 100 * metrics.rel_error);
+    fmt::print("{:24} relMSE {:.3g}, mean {:+.3f} %", name, metrics.rel_mse,
+               100 * metrics.rel_error);
     if (std::isfinite(metrics.rel_bias))
         fmt::print(", {:.3f} % that noise does not explain", 100 * metrics.rel_bias);
     fmt::print("\n");
@@ -29,13 +30,17 @@ void print_metrics(const std::string& name, const Metrics& metrics) {
 
 // One character a tile: how many standard errors a lies above (+) or below (-) b.
 void print_z_map(const ZMap& map) {
-    fmt::print("z of each {0} x {0} tile (.: below 2, digits: |z|, +: 10 and more, ?: no variance)\n",
-               map.tile);
+    fmt::print(
+        "z of each {0} x {0} tile (.: below 2, digits: |z|, +: 10 and more, ?: no variance)\n",
+        map.tile);
     for (int row = 0; row < map.rows; ++row) {
         fmt::print("  ");
         for (int column = 0; column < map.columns; ++column) {
             const double z = std::fabs(map.z[static_cast<std::size_t>(row) * map.columns + column]);
-            fmt::print("{}", std::isnan(z) ? "?" : z < 2 ? "." : z < 10 ? fmt::format("{:.0f}", std::floor(z)) : "+");
+            fmt::print("{}", std::isnan(z) ? "?"
+                             : z < 2       ? "."
+                             : z < 10      ? fmt::format("{:.0f}", std::floor(z))
+                                           : "+");
         }
         fmt::print("\n");
     }
@@ -64,8 +69,7 @@ ExitCode run_compare(const CompareOptions& options) {
     const Image a = read_image(options.a), b = read_image(options.b);
     std::optional<Image> reference;
     if (!options.reference.empty()) reference = read_image(options.reference);
-    const Comparison comparison =
-        compare(a, b, reference ? &*reference : nullptr, options.alpha);
+    const Comparison comparison = compare(a, b, reference ? &*reference : nullptr, options.alpha);
     if (!options.folder.empty()) write_page(options, comparison, a, b);
     if (options.json) {
         fmt::print("{}\n", nlohmann::json(comparison).dump(2));

@@ -55,14 +55,16 @@ ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {
 }
 
 std::string machine_line() {
-    return fmt::format("{} host threads, compiler {}, {:%Y-%m-%d}", std::thread::hardware_concurrency(),
-                       __VERSION__, fmt::localtime(std::time(nullptr)));
+    return fmt::format("{} host threads, compiler {}, {:%Y-%m-%d}",
+                       std::thread::hardware_concurrency(), __VERSION__,
+                       fmt::localtime(std::time(nullptr)));
 }
 
 void print_row(const JudgedScene& judged) {
     fmt::print("{:6} {:20} {:14} {:>5} spp {:>9} {:>9.2g}  {}\n", judged.passed ? "PASS" : "FAIL",
-               judged.scene, judged.lab, judged.image.provenance.spp, human_duration(judged.seconds),
-               judged.judgement.metrics.rel_mse, judged.passed ? "" : judged.judgement.verdict.sentence);
+               judged.scene, judged.lab, judged.image.provenance.spp,
+               human_duration(judged.seconds), judged.judgement.metrics.rel_mse,
+               judged.passed ? "" : judged.judgement.verdict.sentence);
     for (const ExpectationResult& expectation : judged.expectations)
         if (!expectation.met) fmt::print("       {}\n", expectation.sentence);
     if (judged.same_paths && !judged.same_paths->verdict.passed)
@@ -76,15 +78,15 @@ ExitCode run_demo(const DemoOptions& options) {
     if (!options.json)
         fmt::print("{:6} {:20} {:14} {:>9} {:>9} {:>9}\n", "", "scene", "lab", "samples", "tracing",
                    "relMSE");
-    Progress progress("demo", static_cast<int>(options.scenes.size() * labs().size()), "renders", 1);
+    Progress progress("demo", static_cast<int>(options.scenes.size() * labs().size()), "renders",
+                      1);
     int done = 0;
     for (const std::string& name : options.scenes) {
         const Scene scene = load_scene(find_scene(name));
         const Image reference = load_reference(scene);
         std::optional<JudgedScene> before;
         for (const Lab& lab : labs()) {
-            JudgedScene judged =
-                judge_scene(lab, scene, reference, options.machine, options.seed);
+            JudgedScene judged = judge_scene(lab, scene, reference, options.machine, options.seed);
             if (before) judge_against(judged, *before);
             passed = passed && judged.passed;
             progress.clear();

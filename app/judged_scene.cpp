@@ -49,8 +49,8 @@ JudgedScene judge_scene(const Lab& lab, const Scene& scene, const Image& referen
 void judge_against(JudgedScene& judged, const JudgedScene& other) {
     judged.same_paths = judge_same_paths(judged.first, other.first);
     Verdict& verdict = judged.same_paths->verdict;
-    verdict.sentence = fmt::format("Against {}, with the same random numbers: {}", other.lab,
-                                   verdict.sentence);
+    verdict.sentence =
+        fmt::format("Against {}, with the same random numbers: {}", other.lab, verdict.sentence);
     judged.passed = judged.passed && verdict.passed;
 }
 
@@ -58,8 +58,9 @@ Image load_reference(const Scene& scene) {
     const std::filesystem::path path =
         find_scene("cornell").parent_path() / "references" / (scene.name + ".exr");
     if (!std::filesystem::exists(path))
-        throw UsageError(fmt::format("there is no reference '{}': make one with `raylab reference {}`",
-                                     path.string(), scene.name));
+        throw UsageError(
+            fmt::format("there is no reference '{}': make one with `raylab reference {}`",
+                        path.string(), scene.name));
     Image reference = read_image(path.string());
     if (reference.provenance.scene_hash != scene.hash)
         throw UsageError(fmt::format(

@@ -1,5 +1,5 @@
-// One scene, one lab, judged: independent replicates against the reference, and the closed forms that
-// the scene promises.
+// One scene, one lab, judged: independent replicates against the reference, and the closed forms
+// that the scene promises.
 #pragma once
 
 #include "app/replicates.h"
@@ -16,9 +16,9 @@ struct JudgedScene {
     IndependentResult judgement;
     std::vector<ExpectationResult> expectations;
     std::optional<SamePathsResult> same_paths; // against the lab before, if there is one
-    Image image;      // mean over the replicates
-    Image first;      // the first replicate alone, to hold against other labs
-    Ledger ledger;    // of the first replicate
+    Image image;                               // mean over the replicates
+    Image first;        // the first replicate alone, to hold against other labs
+    Ledger ledger;      // of the first replicate
     double seconds = 0; // tracing, all replicates
 };
 

@@ -10,7 +10,8 @@ namespace raylab::app {
 const std::vector<Lab>& labs() {
     static const std::vector<Lab> all = {
         {"01", "01_recursive", "the recursive tracer, plain C++", lab01::make_renderer},
-        {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel", lab02::make_renderer},
+        {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel",
+         lab02::make_renderer},
     };
     return all;
 }

@@ -18,9 +18,8 @@ struct Command {
 };
 
 constexpr Command commands[] = {
-    {"demo", add_demo},         {"render", add_render}, {"compare", add_compare},
-    {"reference", add_reference}, {"scenes", add_scenes},
-    {"export", add_export},
+    {"demo", add_demo},           {"render", add_render}, {"compare", add_compare},
+    {"reference", add_reference}, {"scenes", add_scenes}, {"export", add_export},
 };
 
 // Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.

@@ -36,7 +36,8 @@ void add_scene_options(CLI::App& app, SceneChanges& changes) {
     app.add_option("--depth", changes.depth, "surfaces a path may touch")->group(group);
     app.add_option("--width", changes.width, "film width in pixels")->group(group);
     app.add_option("--height", changes.height, "film height in pixels")->group(group);
-    add_choice(app, "--integrator", changes.integrator, integrators, "how light is followed", group);
+    add_choice(app, "--integrator", changes.integrator, integrators, "how light is followed",
+               group);
     add_choice(app, "--sampler", changes.sampler, samplers, "random numbers", group);
     add_choice(app, "--direct-light", changes.direct_light, strategies,
                "how light sources are found", group);

@@ -1,4 +1,5 @@
-// Outputs are checked before the work begins: nobody should wait an hour to learn of a typing error.
+// Outputs are checked before the work begins: nobody should wait an hour to learn of a typing
+// error.
 #pragma once
 
 #include <string>

@@ -33,7 +33,8 @@ void make_reference(const ReferenceOptions& options, const std::string& name) {
     ReplicateMean mean;
     double seconds = 0;
     Progress progress(job.scene.name, options.replicates, "samples",
-                      double(job.scene.render.spp) * job.scene.camera.width * job.scene.camera.height);
+                      double(job.scene.render.spp) * job.scene.camera.width *
+                          job.scene.camera.height);
     for (int r = 0; r < options.replicates; ++r) {
         mean.add(render_replicate(job, r, &seconds));
         progress.update(r + 1);

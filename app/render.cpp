@@ -45,8 +45,9 @@ void print_summary(const Ledger& ledger, const std::string& output) {
 ExitCode run_render(const RenderOptions& options) {
     const Lab& lab = find_lab(options.lab);
     const Scene scene = load_changed_scene(options.scene, options.changes);
-    const std::string output =
-        options.output.empty() ? fmt::format("out/{}_{}.exr", scene.name, lab.number) : options.output;
+    const std::string output = options.output.empty()
+                                   ? fmt::format("out/{}_{}.exr", scene.name, lab.number)
+                                   : options.output;
     // What would fail at the end fails now, before the work.
     prepare_image_output(output);
     if (!options.stats.empty()) prepare_output(options.stats);
@@ -54,7 +55,8 @@ ExitCode run_render(const RenderOptions& options) {
         if (!options.quiet) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::unique_ptr<Renderer> renderer = lab.make(scene, options.machine);
-    const int spp = std::max(scene.render.spp, options.snapshots.empty() ? 0 : options.snapshots.back());
+    const int spp =
+        std::max(scene.render.spp, options.snapshots.empty() ? 0 : options.snapshots.back());
     {
         const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
         Progress progress(fmt::format("{} {}", lab.number, scene.name), spp, "samples", pixels);

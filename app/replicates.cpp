@@ -55,7 +55,8 @@ DVec3 region_mean(const Image& image, std::array<int, 4> region) {
 
 } // namespace
 
-// Within the stated tolerance plus four standard errors: a right renderer fails once in 16,000 checks.
+// Within the stated tolerance plus four standard errors: a right renderer fails once in 16,000
+// checks.
 ExpectationResult check_expectation(const Expectation& expectation,
                                     const std::vector<Image>& replicates) {
     const double n = static_cast<double>(replicates.size());
@@ -81,9 +82,9 @@ ExpectationResult check_expectation(const Expectation& expectation,
             result.value = mean, result.expected = expected, result.standard_error = error;
         }
     }
-    result.sentence = fmt::format("{}: {:.8g}, found {:.8g} +- {:.1g}: {}", expectation.formula,
-                                  result.expected, result.value, result.standard_error,
-                                  result.met ? "met" : "NOT MET");
+    result.sentence =
+        fmt::format("{}: {:.8g}, found {:.8g} +- {:.1g}: {}", expectation.formula, result.expected,
+                    result.value, result.standard_error, result.met ? "met" : "NOT MET");
     return result;
 }
 

@@ -1,5 +1,5 @@
-// The same scene rendered several times with seeds of their own: how far apart the images lie is their
-// error, measured and not assumed.
+// The same scene rendered several times with seeds of their own: how far apart the images lie is
+// their error, measured and not assumed.
 #pragma once
 
 #include "app/labs.h"
@@ -37,6 +37,7 @@ struct ExpectationResult {
     std::string sentence;
 };
 
-ExpectationResult check_expectation(const Expectation& expectation, const std::vector<Image>& replicates);
+ExpectationResult check_expectation(const Expectation& expectation,
+                                    const std::vector<Image>& replicates);
 
 } // namespace raylab::app

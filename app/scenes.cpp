@@ -20,8 +20,7 @@ ExitCode run_scenes(bool json) {
                         {"hash", scene.hash},
                         {"features", feature_names(features_of(scene))},
                         {"closed_forms", scene.expect.size()}});
-        if (!json)
-            fmt::print("{:20} {}\n{:20} {}\n", name, scene.title, "", scene.reason);
+        if (!json) fmt::print("{:20} {}\n{:20} {}\n", name, scene.title, "", scene.reason);
     }
     if (json) fmt::print("{}\n", list.dump(2));
     return ExitCode::success;

@@ -1,6 +1,6 @@
 // All labs draw the same image. Every bundled scene, several seeds: the recursive lab and the
-// iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative lab
-// gives the same bits however its threads are cut into blocks, ordered and shared out.
+// iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative
+// lab gives the same bits however its threads are cut into blocks, ordered and shared out.
 #include "app/labs.h"
 #include "app/scene_changes.h"
 #include "common/scene/load.h"
@@ -17,8 +17,8 @@ namespace {
 // A copy of the scene with a film of at most `side` pixels a side and few samples.
 Scene small(const std::string& name, int side, std::uint32_t seed) {
     Scene scene = load_scene(find_scene(name));
-    const double shrink =
-        std::min(1.0, static_cast<double>(side) / std::max(scene.camera.width, scene.camera.height));
+    const double shrink = std::min(1.0, static_cast<double>(side) /
+                                            std::max(scene.camera.width, scene.camera.height));
     set_film_size(scene.camera, std::max(1, static_cast<int>(scene.camera.width * shrink)),
                   std::max(1, static_cast<int>(scene.camera.height * shrink)));
     scene.render.seed = seed;
@@ -56,9 +56,9 @@ std::string first_difference(const Traced& a, const Traced& b, int width) {
                 x.shadow_rays != y.shadow_rays)
                 return "pixel (" + std::to_string(pixel % width) + ", " +
                        std::to_string(pixel / width) + "), sample " + std::to_string(sample) +
-                       ": lengths " + std::to_string(x.length) + " and " + std::to_string(y.length) +
-                       ", feelers " + std::to_string(x.shadow_rays) + " and " +
-                       std::to_string(y.shadow_rays);
+                       ": lengths " + std::to_string(x.length) + " and " +
+                       std::to_string(y.length) + ", feelers " + std::to_string(x.shadow_rays) +
+                       " and " + std::to_string(y.shadow_rays);
         }
     return "";
 }
@@ -87,7 +87,8 @@ TEST_P(EveryScene, IterativeLabIsBitIdenticalHoweverItIsRun) {
     for (const MachineSettings& machine :
          {MachineSettings{.threads = 2, .block_size = 32},
           MachineSettings{.threads = 3, .block_size = 100, .order = ThreadOrder::reverse},
-          MachineSettings{.threads = 2, .block_size = 1, .order = ThreadOrder::random, .order_seed = 5},
+          MachineSettings{
+              .threads = 2, .block_size = 1, .order = ThreadOrder::random, .order_seed = 5},
           MachineSettings{.threads = 2, .block_size = 1024, .order = ThreadOrder::random}})
         EXPECT_TRUE(same_bits(trace("02", scene, machine, 2).film, expected))
             << machine.threads << " threads, blocks of " << machine.block_size;

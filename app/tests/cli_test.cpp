@@ -92,12 +92,16 @@ TEST_F(Cli, WrongScenesAreRefusedWithTheirPlace) {
         std::string from, to;
         std::vector<std::string> words;
     } cases[] = {
-        {"\"radius\"", "\"raduis\"", {"s.json:7:", "/shapes/0", "raduis", "did you mean", "radius"}},
+        {"\"radius\"",
+         "\"raduis\"",
+         {"s.json:7:", "/shapes/0", "raduis", "did you mean", "radius"}},
         {"\"radius\": 1", "\"radius\": -1", {"s.json:7:", "/shapes/0/radius"}},
         {"\"radius\": 1", "\"radius\": NaN", {"s.json:7:"}},
         {"\"radius\": 1", "\"radius\": 1e999", {"s.json:7:"}},
         {"\"material\": \"white\"", "\"material\": \"whit\"", {"/shapes/0/material", "white"}},
-        {"\"width\": 8, \"height\": 8", "\"width\": 0, \"height\": 0", {"s.json:4:", "/film/width"}},
+        {"\"width\": 8, \"height\": 8",
+         "\"width\": 0, \"height\": 0",
+         {"s.json:4:", "/film/width"}},
         {"\"width\": 8, \"height\": 8", "\"width\": 100000, \"height\": 100000", {"/film/width"}},
         {"\"spp\": 1", "\"spp\": 0", {"s.json:5:", "/render/spp"}},
         {"\"max_depth\": 4", "\"max_depth\": 0", {"s.json:5:", "/render/max_depth"}},
@@ -164,7 +168,8 @@ TEST_F(Cli, OddButLegalScenesRender) {
 
 TEST_F(Cli, FullDiskLeavesNoFile) {
     write_scene("s.json");
-    const Outcome full = raylab("render 02 " + in("s.json") + " -q --stats /dev/full -o " + in("o.exr"));
+    const Outcome full =
+        raylab("render 02 " + in("s.json") + " -q --stats /dev/full -o " + in("o.exr"));
     EXPECT_EQ(full.code, 3) << full.text;
     EXPECT_NE(full.text.find("/dev/full"), std::string::npos) << full.text;
 }
@@ -187,7 +192,8 @@ TEST_F(Cli, ImagesOfOneSceneAgreeAndOfAnotherDoNot) {
     EXPECT_EQ(raylab("compare " + in("a.exr") + " " + in("c.exr")).code, 1);
 }
 
-// The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their own.
+// The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their
+// own.
 TEST_F(Cli, SnapshotsAreTheImagesOfShorterRuns) {
     write_scene("s.json");
     const std::string scene = in("s.json");

@@ -33,8 +33,9 @@ void Progress::update(int done) {
     const int filled = static_cast<int>(static_cast<double>(width) * done / steps_);
     const double rate = done * scale_ / seconds();
     const double left = seconds() / done * (steps_ - done);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {} {}/s  {} left", label_, "", filled, "",
-               width - filled, 100.0 * done / steps_, human_count(rate), unit_, human_duration(left));
+    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {} {}/s  {} left", label_, "",
+               filled, "", width - filled, 100.0 * done / steps_, human_count(rate), unit_,
+               human_duration(left));
     std::fflush(stderr);
 }
 

@@ -1,4 +1,5 @@
-// An array in device memory that frees itself. Include from files that nvcc or the CPU machine compile.
+// An array in device memory that frees itself. Include from files that nvcc or the CPU machine
+// compile.
 #pragma once
 
 #include "common/simt/check.h"
@@ -30,7 +31,8 @@ template <class T> class DeviceArray {
     explicit DeviceArray(std::span<const T> host) : size_(host.size()) {
         if (host.empty()) return;
         check(cudaMalloc(reinterpret_cast<void**>(&data_), host.size_bytes()), "cudaMalloc");
-        check(cudaMemcpy(data_, host.data(), host.size_bytes(), cudaMemcpyHostToDevice), "cudaMemcpy");
+        check(cudaMemcpy(data_, host.data(), host.size_bytes(), cudaMemcpyHostToDevice),
+              "cudaMemcpy");
     }
 
     ~DeviceArray() { cudaFree(data_); }

@@ -2,8 +2,8 @@
 // the machine is called.
 #pragma once
 
-#include "common/render/renderer.h"
 #include "common/device/device_array.h"
+#include "common/render/renderer.h"
 #include "common/simt/cuda.h"
 #if !defined(__CUDACC__)
 #include "common/simt/options.h"

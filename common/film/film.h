@@ -16,7 +16,7 @@ struct FilmPixel {
     double sum[3];         // of radiance, per channel
     double sum_squares[3]; // of radiance squared
     unsigned samples;      // how many radiances the sums hold
-    unsigned rejected;     // samples that were NaN or infinite: counted, kept out, and graded as a bug
+    unsigned rejected; // samples that were NaN or infinite: counted, kept out, and graded as a bug
 };
 
 // Adds one sample's radiance to its pixel.

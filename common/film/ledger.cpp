@@ -16,7 +16,8 @@ std::uint64_t Ledger::rays() const {
 }
 
 double lanes_alive(const BounceCounts& bounce) {
-    return bounce.lanes == 0 ? 1.0 : static_cast<double>(bounce.rays) / static_cast<double>(bounce.lanes);
+    return bounce.lanes == 0 ? 1.0
+                             : static_cast<double>(bounce.rays) / static_cast<double>(bounce.lanes);
 }
 
 std::string to_json(const Ledger& ledger) {
@@ -52,16 +53,18 @@ std::string to_json(const Ledger& ledger) {
 }
 
 std::string to_table(const Ledger& ledger) {
-    std::string table = fmt::format("{:>6} {:>12} {:>10} {:>10} {:>10} {:>10}  {}\n", "bounce", "rays",
-                                    "escaped", "absorbed", "roulette", "depth", "lanes alive");
+    std::string table =
+        fmt::format("{:>6} {:>12} {:>10} {:>10} {:>10} {:>10}  {}\n", "bounce", "rays", "escaped",
+                    "absorbed", "roulette", "depth", "lanes alive");
     for (std::size_t b = 0; b < ledger.bounces.size() && ledger.bounces[b].rays > 0; ++b) {
         const BounceCounts& bounce = ledger.bounces[b];
         const double alive = lanes_alive(bounce);
         table += fmt::format("{:>6} {:>12} {:>10} {:>10} {:>10} {:>10}  ", b, bounce.rays,
                              bounce.ended[0], bounce.ended[1], bounce.ended[2], bounce.ended[3]);
-        table += bounce.lanes == 0 ? std::string("-\n")
-                                   : fmt::format("{:5.1f} % {}\n", 100 * alive,
-                                                 std::string(static_cast<std::size_t>(alive * 30), '#'));
+        table += bounce.lanes == 0
+                     ? std::string("-\n")
+                     : fmt::format("{:5.1f} % {}\n", 100 * alive,
+                                   std::string(static_cast<std::size_t>(alive * 30), '#'));
     }
     return table;
 }

@@ -35,7 +35,7 @@ HD void record_hit(PathRecord& record, int id) {
 }
 
 struct BounceCounts {
-    std::uint64_t rays = 0;             // paths alive when the bounce began
+    std::uint64_t rays = 0;              // paths alive when the bounce began
     std::uint64_t ended[path_ends] = {}; // of those, how many ended here, by cause
     std::uint64_t lanes = 0; // lanes that a GPU holds for them: 32 for each warp with a path alive
 };
@@ -45,9 +45,9 @@ struct Ledger {
     int width = 0, height = 0, samples = 0; // samples: per pixel
     std::vector<BounceCounts> bounces;
     std::uint64_t shadow_rays = 0;
-    std::uint64_t rejected = 0;        // samples that were not finite
+    std::uint64_t rejected = 0;         // samples that were not finite
     std::uint64_t threads_launched = 0; // over all launches
-    double seconds = 0;                // tracing alone
+    double seconds = 0;                 // tracing alone
 
     std::uint64_t rays() const; // camera and scattered rays + shadow rays
 };

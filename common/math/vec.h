@@ -30,9 +30,7 @@ HD float length(Vec3 v) { return sqrtf(dot(v, v)); }
 // One division by the length: scaling v by a power of two changes no bit of the result.
 HD Vec3 normalize(Vec3 v) { return v / sqrtf(dot(v, v)); }
 
-HD bool is_finite(Vec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+HD bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 HD bool is_black(Vec3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 // Rec. 709 luminance Y of linear RGB.

@@ -19,8 +19,7 @@ Image develop(const Renderer& renderer, const Scene& scene) {
     const Ledger ledger = renderer.ledger();
     image.provenance.scene = scene.name;
     image.provenance.scene_hash = scene.hash;
-    image.provenance.integrator =
-        scene.render.integrator == Integrator::path ? "path" : "whitted";
+    image.provenance.integrator = scene.render.integrator == Integrator::path ? "path" : "whitted";
     image.provenance.renderer = ledger.lab;
     image.provenance.seed = scene.render.seed;
     image.provenance.spp = ledger.samples;

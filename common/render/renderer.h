@@ -12,8 +12,8 @@
 
 namespace raylab {
 
-// The order in which the CPU machine runs the threads of a block, and blocks: a correct kernel draws
-// the same image in every order.
+// The order in which the CPU machine runs the threads of a block, and blocks: a correct kernel
+// draws the same image in every order.
 enum class ThreadOrder : int { forward, reverse, random };
 
 // How to run, as opposed to what to draw: no field changes a bit of the image.
@@ -28,8 +28,8 @@ class Renderer {
   public:
     virtual ~Renderer() = default;
 
-    // Adds one sample to every pixel: one *iteration* of the lecture. The k-th call draws sample k - 1
-    // of each pixel's sequence, so the image after 20 calls is the image of --spp 20.
+    // Adds one sample to every pixel: one *iteration* of the lecture. The k-th call draws sample k
+    // - 1 of each pixel's sequence, so the image after 20 calls is the image of --spp 20.
     virtual void add_iteration() = 0;
 
     virtual Film film() const = 0; // so far, in host memory

@@ -1,9 +1,11 @@
-// Light that arrives at a surface straight from a light source, and how it shares the work with BSDF
-// samples that hit a source by chance. PBR4e 13.4 (A Better Path Tracer); Veach 1997, chapter 9.
+// Light that arrives at a surface straight from a light source, and how it shares the work with
+// BSDF samples that hit a source by chance. PBR4e 13.4 (A Better Path Tracer); Veach 1997,
+// chapter 9.
 //
 //   L_direct = integral of f(wo, wi) Le(p', -wi) V(p, p') |cos| dwi
 // is estimated twice, by sampling lights (density p_l) and by sampling the BSDF (density p_b); the
-// power heuristic weights the two so that their sum is unbiased and each is trusted where it is good.
+// power heuristic weights the two so that their sum is unbiased and each is trusted where it is
+// good.
 #pragma once
 
 #include "common/film/ledger.h"
@@ -56,7 +58,8 @@ HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const Surface
         if (light == lights) light = lights - 1; // u * lights may round up
     }
     const Vec2 u = sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
-    return light_from<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u, record);
+    return light_from<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u,
+                         record);
 }
 
 } // namespace raylab

@@ -33,7 +33,8 @@ HD Vec3 emitted_light(const SceneView& scene, DirectLight strategy, const Ray& r
 
 // Radiance of the environment along a ray that left the scene, weighted.
 template <Features F>
-HD Vec3 escaped_light(const SceneView& scene, DirectLight strategy, const Ray& ray, float bsdf_pdf) {
+HD Vec3 escaped_light(const SceneView& scene, DirectLight strategy, const Ray& ray,
+                      float bsdf_pdf) {
     if constexpr ((F & (feature::environment | feature::environment_map)) == 0) return Vec3(0);
     if (scene.environment.light < 0) return Vec3(0);
     const Vec3 emission = environment_radiance<F>(scene, ray.d);

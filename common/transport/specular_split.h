@@ -1,4 +1,5 @@
-// Both ways on from a surface that scatters in single directions only: what Whitted's tracer follows.
+// Both ways on from a surface that scatters in single directions only: what Whitted's tracer
+// follows.
 #pragma once
 
 #include "common/material/bsdf.h"
@@ -17,7 +18,8 @@ template <Features F>
 HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3 wo) {
     constexpr bool has_glass = (F & (feature::glass | feature::rough_dielectric)) != 0;
     if constexpr (has_glass) {
-        if (material.kind == MaterialKind::glass || material.kind == MaterialKind::rough_dielectric) {
+        if (material.kind == MaterialKind::glass ||
+            material.kind == MaterialKind::rough_dielectric) {
             const FresnelSplit split = fresnel_split(material, wo);
             return {split.reflected, reflectance * split.reflectance, split.refracted,
                     reflectance * (1 - split.reflectance), split.reflectance < 1};

@@ -1,7 +1,7 @@
 // Glass: how much light a smooth interface reflects, and where the rest goes.
 //
-// Fresnel's equations for unpolarised light; Snell's law sin(theta_i) = eta sin(theta_t), where eta is
-// the index of refraction on the far side over that on the near side.
+// Fresnel's equations for unpolarised light; Snell's law sin(theta_i) = eta sin(theta_t), where eta
+// is the index of refraction on the far side over that on the near side.
 #pragma once
 
 #include "common/material/bsdf_sample.h"
@@ -24,8 +24,8 @@ inline float reflected_part(float cos_i, float eta) {
     //]
 }
 
-// The refracted direction of wo, a unit vector with wo.z != 0 (local: z is the outward normal). Snell's
-// law shrinks the part along the surface; the part across makes up the unit length.
+// The refracted direction of wo, a unit vector with wo.z != 0 (local: z is the outward normal).
+// Snell's law shrinks the part along the surface; the part across makes up the unit length.
 inline Vec3 refracted_direction(Vec3 wo, float eta) {
     //[ task 1.6
     const Vec3 along = -Vec3(wo.x, wo.y, 0) / eta;

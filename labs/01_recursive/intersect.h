@@ -9,7 +9,8 @@
 namespace raylab::lab01 {
 
 // Calls visit(shape, index, id, t) for every hit in (0, ray.t_max), until visit returns false.
-template <class Visit> void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit) {
+template <class Visit>
+void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit) {
     const ShearedRay sheared(ray);
     float t;
     for (int i = 0; i < scene.spheres.size; ++i)

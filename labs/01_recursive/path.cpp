@@ -68,7 +68,8 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
         weight /= q;
     }
     const float pdf = scattered.specular ? delta_pdf : scattered.pdf;
-    return radiance + weight * trace_path(path, spawn_ray(surface, wi), bounce + 1, pdf, throughput);
+    return radiance +
+           weight * trace_path(path, spawn_ray(surface, wi), bounce + 1, pdf, throughput);
     //| not_implemented("1.5", "trace_path()");
     //| record_hit(path.record, -1);
     //| return Vec3(0);

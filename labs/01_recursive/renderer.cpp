@@ -1,9 +1,9 @@
 // Lab 01: threads over tiles, one recursion a pixel and iteration.
 #include "labs/01_recursive/renderer.h"
 
+#include "common/transport/emission.h"
 #include "labs/01_recursive/camera.h"
 #include "labs/01_recursive/threads.h"
-#include "common/transport/emission.h"
 #include "labs/01_recursive/tracer.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@ namespace {
 
 constexpr int tile_size = 16; // pixels a side: enough work to share out, small enough to balance
 
-// A frame of trace_path takes about 1 KiB, under sanitizers about 6; see RECURSION-STACK in the tests.
+// A frame of trace_path takes about 1 KiB, under sanitizers about 6; see RECURSION-STACK in the
+// tests.
 constexpr std::size_t stack_bytes_per_bounce = 8 << 10;
 constexpr std::size_t stack_bytes_base = 1 << 20;
 
@@ -28,8 +29,7 @@ class RecursiveRenderer final : public Renderer {
   public:
     RecursiveRenderer(const Scene& scene, const MachineSettings& machine)
         : scene_(scene), view_(view(scene)), film_(scene.camera.width, scene.camera.height),
-          records_(film_.pixels.size()),
-          ledger_(begin_ledger(scene, "01_recursive", "")),
+          records_(film_.pixels.size()), ledger_(begin_ledger(scene, "01_recursive", "")),
           threads_(machine.threads > 0 ? machine.threads
                                        : static_cast<int>(std::thread::hardware_concurrency())) {
         ledger_.machine = fmt::format("host, {} threads", threads_);
@@ -83,8 +83,9 @@ class RecursiveRenderer final : public Renderer {
         const Ray ray = camera_ray(view_.camera, x, y, sampler.get_2d(dimension::film),
                                    sampler.get_2d(dimension::lens));
         const Path path = {view_, settings, sampler, record};
-        return settings.integrator == Integrator::path ? trace_path(path, ray, 0, delta_pdf, Vec3(1))
-                                                       : trace_whitted(path, ray, 0, 1);
+        return settings.integrator == Integrator::path
+                   ? trace_path(path, ray, 0, delta_pdf, Vec3(1))
+                   : trace_whitted(path, ray, 0, 1);
     }
 
     // A path of length n was alive in bounces 0 to n - 1 and ended in the last.

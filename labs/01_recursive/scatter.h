@@ -10,9 +10,11 @@ namespace raylab::lab01 {
 constexpr Features given_materials = feature::all & ~(feature::diffuse | feature::glass);
 
 // A direction for light to come from. wo: local, z is the outward normal.
-inline BsdfSample scatter(const Material& material, Vec3 reflectance, Vec3 wo, float u_lobe, Vec2 u) {
+inline BsdfSample scatter(const Material& material, Vec3 reflectance, Vec3 wo, float u_lobe,
+                          Vec2 u) {
     if (wo.z == 0) return {};
-    if (material.kind == MaterialKind::glass) return scatter_glass(material, reflectance, wo, u_lobe);
+    if (material.kind == MaterialKind::glass)
+        return scatter_glass(material, reflectance, wo, u_lobe);
     if (material.kind != MaterialKind::diffuse)
         return sample_bsdf<given_materials>(material, reflectance, wo, u_lobe, u);
     BsdfSample sample = scatter_diffuse(reflectance, u);

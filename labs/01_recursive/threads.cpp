@@ -19,12 +19,14 @@ void run_on_threads(int count, std::size_t stack_bytes, const std::function<void
     };
     while (error == 0 && static_cast<int>(threads.size()) < count) {
         pthread_t thread;
-        error = pthread_create(&thread, &attributes, entry, const_cast<void*>(static_cast<const void*>(&work)));
+        error = pthread_create(&thread, &attributes, entry,
+                               const_cast<void*>(static_cast<const void*>(&work)));
         if (error == 0) threads.push_back(thread);
     }
     for (const pthread_t thread : threads) pthread_join(thread, nullptr);
     pthread_attr_destroy(&attributes);
-    if (error != 0) throw std::system_error(error, std::generic_category(), "starting a render thread");
+    if (error != 0)
+        throw std::system_error(error, std::generic_category(), "starting a render thread");
 }
 
 } // namespace raylab::lab01

@@ -1,8 +1,8 @@
 // Where does a ray meet a triangle?
 //
 // Seen along the ray, the triangle is flat and the ray is the point (0, 0): it passes inside if it
-// passes all three edges on the same side. An edge too close to call is passed on both, so of the two
-// triangles of a shared edge at least one is hit (Woop, Benthin, Wald, JCGT 2(1), 2013).
+// passes all three edges on the same side. An edge too close to call is passed on both, so of the
+// two triangles of a shared edge at least one is hit (Woop, Benthin, Wald, JCGT 2(1), 2013).
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -18,8 +18,8 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
     //[ task 1.2
     const Vec3* v = triangle.v;
     const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]);
-    const double error = edge_error(std::max({a.width, b.width, c.width}),
-                                    std::max({a.size, b.size, c.size}));
+    const double error =
+        edge_error(std::max({a.width, b.width, c.width}), std::max({a.size, b.size, c.size}));
     if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
 
     // Where the ray crosses the triangle's plane: t = n.(v0 - o) / n.d.

@@ -12,8 +12,8 @@
 
 namespace raylab::lab01 {
 
-// node numbers the ray tree: root 1, reflection 2n, refraction 2n + 1. It stands in for the bounce in
-// the random numbers' dimensions, the same in every lab.
+// node numbers the ray tree: root 1, reflection 2n, refraction 2n + 1. It stands in for the bounce
+// in the random numbers' dimensions, the same in every lab.
 Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t node) {
     //[ task 1.4
     const SceneView& scene = path.scene;
@@ -21,8 +21,7 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
 
     const Hit hit = closest_hit(scene, ray);
     record_hit(path.record, hit.id);
-    if (!hit.found())
-        return escaped_light<feature::all>(scene, DirectLight::light, ray, delta_pdf);
+    if (!hit.found()) return escaped_light<feature::all>(scene, DirectLight::light, ray, delta_pdf);
     const SurfacePoint surface = surface_at<feature::all>(scene, ray, hit);
     const Material& material = scene.materials[surface.material];
     const Vec3 reflectance = reflectance_at<feature::all>(scene, material, surface.uv);
@@ -42,7 +41,8 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
     radiance += split.reflected_weight * trace_whitted(path, reflected, depth + 1, 2 * node);
     if (split.refracts) {
         const Ray refracted = spawn_ray(surface, surface.shading.to_world(split.refracted));
-        radiance += split.refracted_weight * trace_whitted(path, refracted, depth + 1, 2 * node + 1);
+        radiance +=
+            split.refracted_weight * trace_whitted(path, refracted, depth + 1, 2 * node + 1);
     }
     return radiance;
     //| not_implemented("1.4", "trace_whitted()");

@@ -36,9 +36,9 @@ template <Features F>
 HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const Sampler& sampler,
                    Ray ray, PathRecord& record) {
     //[ task 2.1
-    Vec3 radiance(0);             // what the path has collected
-    Vec3 throughput(1);           // what is left of light that joins it from here on
-    float bsdf_pdf = delta_pdf;   // density of the direction of `ray`
+    Vec3 radiance(0);           // what the path has collected
+    Vec3 throughput(1);         // what is left of light that joins it from here on
+    float bsdf_pdf = delta_pdf; // density of the direction of `ray`
     record = {};
 
     for (int bounce = 0; bounce < settings.max_depth; ++bounce) {
@@ -56,7 +56,8 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
         const Vec3 wo = -ray.d;
 
         // 2. What it emits towards us, and what it scatters of the light sources.
-        radiance += throughput * emitted_light<F>(scene, settings.direct_light, ray, bsdf_pdf, surface);
+        radiance +=
+            throughput * emitted_light<F>(scene, settings.direct_light, ray, bsdf_pdf, surface);
         if (bounce + 1 == settings.max_depth) break;
         radiance += throughput * direct_light<F>(scene, settings.direct_light, surface, reflectance,
                                                  wo, sampler, bounce, record);

@@ -20,8 +20,8 @@ struct Iteration {
     std::uint32_t sample; // index of the sample that this iteration adds to every pixel
 };
 
-// One thread: one pixel, one camera ray, one path. The random numbers are keyed by pixel and sample,
-// never by thread: the launch may be cut into blocks in any way.
+// One thread: one pixel, one camera ray, one path. The random numbers are keyed by pixel and
+// sample, never by thread: the launch may be cut into blocks in any way.
 template <Features F, Integrator I>
 __global__ void trace_kernel(SceneView scene, Iteration iteration, FilmPixel* film,
                              PathRecord* records) {
@@ -127,7 +127,8 @@ Ledger IterativeRenderer::ledger() const {
     for (int bounce = max_bounces_ - 1; bounce >= 0; --bounce) {
         BounceCounts& counts = ledger.bounces[bounce];
         for (int shard = 0; shard < shards; ++shard) {
-            const BounceTally& tally = tallies[static_cast<std::size_t>(shard) * max_bounces_ + bounce];
+            const BounceTally& tally =
+                tallies[static_cast<std::size_t>(shard) * max_bounces_ + bounce];
             for (int end = 0; end < path_ends; ++end) {
                 counts.ended[end] += tally.ended[end];
                 rays += tally.ended[end];

@@ -1,9 +1,9 @@
 // Whitted's ray tracer as a loop. Whitted, An Improved Illumination Model for Shaded Display, 1980.
 //
-// A path is a line, so its loop needs only the throughput. Whitted's rays form a *tree*: glass sends
-// one ray on and one back. A loop over a tree needs a stack of the rays still to be traced; each
-// carries its own throughput. Taking the newest first (depth first), the stack never holds more than
-// one ray a level.
+// A path is a line, so its loop needs only the throughput. Whitted's rays form a *tree*: glass
+// sends one ray on and one back. A loop over a tree needs a stack of the rays still to be traced;
+// each carries its own throughput. Taking the newest first (depth first), the stack never holds
+// more than one ray a level.
 #pragma once
 
 #include "common/geometry/texture.h"
@@ -25,19 +25,20 @@ struct PendingRay {
 
 // Shadow feelers to every light.
 template <Features F>
-HD Vec3 light_from_all(const SceneView& scene, const SurfacePoint& surface, Vec3 reflectance, Vec3 wo,
-                       const Sampler& sampler, std::uint32_t node, PathRecord& record) {
+HD Vec3 light_from_all(const SceneView& scene, const SurfacePoint& surface, Vec3 reflectance,
+                       Vec3 wo, const Sampler& sampler, std::uint32_t node, PathRecord& record) {
     Vec3 sum(0);
     for (int light = 0; light < scene.lights.size; ++light) {
         const Vec2 u = sampler.get_2d(feeler_dimension(node, light));
-        sum += light_from<F>(scene, DirectLight::light, light, 1, surface, reflectance, wo, u, record);
+        sum +=
+            light_from<F>(scene, DirectLight::light, light, 1, surface, reflectance, wo, u, record);
     }
     return sum;
 }
 
 template <Features F>
-HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings, const Sampler& sampler,
-                      Ray camera_ray, PathRecord& record) {
+HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings,
+                      const Sampler& sampler, Ray camera_ray, PathRecord& record) {
     //[ task 2.1
     Vec3 radiance(0);
     PendingRay stack[max_whitted_depth + 1];
@@ -51,8 +52,8 @@ HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings, co
         const Hit hit = intersect<F>(scene, now.ray);
         record_hit(record, hit.id);
         if (!hit.found()) {
-            radiance += now.throughput *
-                        escaped_light<F>(scene, DirectLight::light, now.ray, delta_pdf);
+            radiance +=
+                now.throughput * escaped_light<F>(scene, DirectLight::light, now.ray, delta_pdf);
             continue;
         }
         const SurfacePoint surface = surface_at<F>(scene, now.ray, hit);

@@ -70,8 +70,8 @@ TEST(Power, AReferenceThatIsTooNoisyIsSaid) {
     EXPECT_THAT(r.verdict.hints.at(0), HasSubstr("the reference's own"));
 }
 
-// An error of 1 % at c = 0.5 needs about 145 samples a pixel on 32 x 32 tiles; here it is confined to
-// one of them, with 256 samples in the first stage.
+// An error of 1 % at c = 0.5 needs about 145 samples a pixel on 32 x 32 tiles; here it is confined
+// to one of them, with 256 samples in the first stage.
 TEST(Power, OnePercentInOneBlockIsFound) {
     int found = 0;
     for (std::uint32_t seed = 0; seed < 10; ++seed)
