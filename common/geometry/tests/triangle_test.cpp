@@ -62,6 +62,20 @@ TEST(TRI_DEGEN, triangles_without_area_or_with_nan_change_nothing) {
     figure("TRI-DEGEN", "NaN", nan_t, 0);
 }
 
+// None of its edges can be told from the ray's own rounding: that is no reason to hit it
+// everywhere.
+TEST(TRI_DEGEN, a_triangle_too_small_to_see_is_not_hit_from_afar) {
+    Random random(23);
+    int hits = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        const Triangle speck = make_triangle(
+            1e-17f * random.direction(), 1e-17f * random.direction(), 1e-17f * random.direction());
+        float t;
+        hits += intersect(speck, ShearedRay({random.direction(), random.direction()}), t);
+    }
+    figure("TRI-DEGEN", "hits of a speck of 1e-17 from a distance of 1", hits, 0);
+}
+
 TEST(TRI_DEGEN, a_needle_is_hit_where_it_is) {
     Random random(22);
     int found = 0, bad = 0;

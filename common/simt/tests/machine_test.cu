@@ -73,6 +73,20 @@ TEST(Machine, TakesTurnsInTheOrderThatWasAskedFor) {
     }
 }
 
+__global__ void record_around_barrier(int* next, int* before, int* after) {
+    before[atomicAdd(&next[0], 1)] = threadIdx.x;
+    __syncthreads();
+    after[atomicAdd(&next[1], 1)] = threadIdx.x;
+}
+
+TEST(Machine, MixesTheTurnsAnewAtEachBarrier) {
+    set_options({.threads = 1, .order = Order::random});
+    DeviceArray<int> next(2), before(64), after(64);
+    record_around_barrier<<<1, 64>>>(next.data(), before.data(), after.data());
+    EXPECT_NE(before.host(), after.host());
+    set_options({});
+}
+
 TEST(Machine, RunsEveryBlockOnce) {
     for_each_setting([] {
         for (dim3 grid : {dim3(1), dim3(2), dim3(97), dim3(64, 3), dim3(30, 17)}) {
