@@ -69,6 +69,8 @@ TEST(Rewrite, KeepsConfigurationAndArgumentsAsTheyAre) {
               launch("k", "g<3>(n), b[2]") + "(f({1, 2}), x < y, x >> 3, \"<<<\");");
     EXPECT_EQ(rewritten("k<<<a, b>>>([&] { h<<<1, 1>>>(); return 2; }());"),
               launch("k", "a, b") + "([&] { " + launch("h", "1, 1") + "(); return 2; }());");
+    EXPECT_EQ(rewritten("n = 1'000; k<<<1, 2>>>(a); c = 'x';"),
+              "n = 1'000; " + launch("k", "1, 2") + "(a); c = 'x';");
     EXPECT_EQ(rewritten("#define GO(k, n) \\\n    k<<<1, n>>>(n)\n"),
               "#define GO(k, n) \\\n    " + launch("k", "1, n") + "(n)\n");
 }
@@ -80,7 +82,8 @@ TEST(Rewrite, LeavesEverythingElseAlone) {
           "auto s = \"\\\"\"; // \" k<<<1, 1>>>(a)",
           "char c = '\"'; char d = '\\''; int n = 1'000'000;", "#include <a<<<b>>>(c)>\n",
           "#error don't k<<<1, 1>>>(a)\n", "x = a << b; y = c >> d;", "out << 1 << 2;",
-          "using std::operator<<<char>;", "a < b; A<B<C<int>>>(3);", "extern int x[];",
+          "using std::operator<<<char>;", "a < b; A<B<C<int>>>(3);",
+          "auto s = R\"(\" k<<<1, 1>>>(a) \")\";", "extern int x[];",
           "extern \"C\" { extern float y[]; }", "__shared__ float s[4];",
           "int a = 1; // don't\nchar c = 'k';", ""})
         EXPECT_EQ(rewritten(source), source);
