@@ -60,7 +60,9 @@ Estimate render(const std::string& lab, const std::string& material, double mu,
                .shapes = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, "m"),
                .lights = white_sky,
                .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" +
-                         strategy + '"'});
+                         strategy + '"',
+               .width = 32,
+               .height = 32});
     return estimate(trace(lab, scene, spp).film);
 }
 
@@ -93,13 +95,13 @@ TEST_P(EachLab, GgxFurnWhiteMetalIsAsBrightAsMaskingLeavesIt) {
             const double truth = ggx_albedo(mu, alpha), naive = ggx_albedo(mu, alpha, false);
             const std::string what = fmt::format("alpha {}, mu {}", alpha, mu);
             const bool masks = std::fabs(naive - truth) > 0.01;
-            const Estimate found = render(GetParam(), metal, mu, "bsdf", count(256, 8192));
+            const Estimate found = render(GetParam(), metal, mu, "bsdf", count(16, 512));
             compare("GGX-FURN", GetParam(), what, found, truth, 5e-4,
                     masks ? std::optional(naive) : std::nullopt);
             EXPECT_LE(found.mean, 1 + 1e-6);
             if (alpha >= 0.5) // narrower lobes are too noisy where the sky is sampled
                 compare("GGX-FURN", GetParam(), what + ", MIS",
-                        render(GetParam(), metal, mu, "mis", count(256, 8192)), truth, 5e-4);
+                        render(GetParam(), metal, mu, "mis", count(16, 512)), truth, 5e-4);
         }
 }
 
@@ -112,11 +114,11 @@ TEST_P(EachLab, PhongAlbIsTheLobeLessWhatTheSurfaceCutsOff) {
             const double truth = phong_albedo(mu, n), naive = phong_albedo(mu, n, true);
             const std::string what = fmt::format("n = {}, mu {}", n, mu);
             compare("PHONG-ALB", GetParam(), what,
-                    render(GetParam(), lobe, mu, "bsdf", count(256, 8192)), truth, 1e-3,
+                    render(GetParam(), lobe, mu, "bsdf", count(16, 512)), truth, 1e-3,
                     n < 10 ? std::optional(naive) : std::nullopt);
             if (n <= 10)
                 compare("PHONG-ALB", GetParam(), what + ", MIS",
-                        render(GetParam(), lobe, mu, "mis", count(256, 8192)), truth, 1e-3);
+                        render(GetParam(), lobe, mu, "mis", count(16, 512)), truth, 1e-3);
         }
 }
 

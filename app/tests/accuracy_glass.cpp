@@ -28,8 +28,8 @@ Scene pane(double size, double angle_deg, const std::string& more, const std::st
                             quad(size * DVec3(-1, -1, -2), size * DVec3(1, -1, -2),
                                  size * DVec3(1, 1, -2), size * DVec3(-1, 1, -2), "light"),
                   .render = render,
-                  .width = 16,
-                  .height = 16});
+                  .width = 64,
+                  .height = 64});
 }
 
 // All reflections inside add up to T = (1 - R) / (1 + R): 0.92307692 and 0.83623246.
@@ -49,7 +49,7 @@ TEST_P(EachLab, PaneTransmitsWhatFresnelLeaves) {
                    2e-5,
                    angle > 0 ? std::optional(off(R"(, "fresnel": "schlick")")) : std::nullopt);
             const Estimate found =
-                estimate(trace(GetParam(), pane(size, angle, "", path), count(100, 4000)).film);
+                estimate(trace(GetParam(), pane(size, angle, "", path), count(8, 256)).film);
             figure("PANE", GetParam(),
                    fmt::format("{} deg, S = {}, path: {:.5f}", angle, size, found.mean),
                    std::fabs(found.mean - truth), 1e-4 + 4 * found.error);

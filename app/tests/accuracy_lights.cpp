@@ -16,7 +16,9 @@ Estimate render(const std::string& lab, DVec3 receiver, DVec3 eye, const std::st
                             diffuse(DVec3(0), DVec3(radiance)),
                .shapes = plane({0, 0, 0}, {0, 1, 0}, "floor") + ", " + light,
                .render = R"("max_depth": 2, "sampler": "independent", "direct_light": ")" +
-                         strategy + '"'});
+                         strategy + '"',
+               .width = 32,
+               .height = 32});
     return estimate(trace(lab, scene, spp).film);
 }
 
@@ -31,7 +33,7 @@ TEST_P(EachLab, SphLightIsAsBrightAsAPointAtItsCentre) {
             for (const std::string strategy : {"light", "mis", "bsdf"}) {
                 if (strategy == "bsdf" && ratio < 0.4) continue; // too noisy to tell
                 const Estimate found = render(GetParam(), {0, 0, 0}, {-0.1, 0.05, 0}, lamp,
-                                              radiance, strategy, count(128, 8192));
+                                              radiance, strategy, count(8, 512));
                 const double tolerance = 1e-5 + 4 * found.error;
                 // The naive cone, 1 - cos from rounded numbers, has a density that is off by this:
                 const float sin2 = static_cast<float>(ratio * ratio);
@@ -74,7 +76,7 @@ TEST_P(EachLab, PolyLightIsLambertsFormula) {
             // BSDF.
             if (strategy == "light" && h < 0.1) continue;
             const Estimate found =
-                render(GetParam(), receiver, eye, lamp, M_PI, strategy, count(512, 16384));
+                render(GetParam(), receiver, eye, lamp, M_PI, strategy, count(32, 1024));
             // The planted error: the receiver 0.2 away from where it should be.
             const double naive = std::fabs(lambert(receiver + DVec3(0.2, 0, -0.2), h) - truth);
             figure("POLYLIGHT", GetParam(),

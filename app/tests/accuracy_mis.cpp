@@ -32,14 +32,16 @@ Scene room(double alpha, double radius) {
          .shapes = plane({0, 0, 0}, {0, 1, 0}, "metal") + ", " +
                    plane({-3, 0, 0}, {1, 0, 0}, "wall") + ", " +
                    sphere({-1.5, 1, 0}, radius, "lamp"),
-         .render = R"("max_depth": 7, "sampler": "independent")"});
+         .render = R"("max_depth": 7, "sampler": "independent")",
+         .width = 32,
+         .height = 32});
 }
 
 Estimate render(const std::string& lab, Scene scene, const Strategy& strategy, std::uint32_t seed) {
     scene.render.direct_light = strategy.direct_light;
     scene.render.roulette = strategy.roulette;
     scene.render.seed = seed; // strategies share no random numbers: their errors are independent
-    return estimate(trace(lab, scene, count(256, 8192)).film);
+    return estimate(trace(lab, scene, count(16, 512)).film);
 }
 
 double z_score(Estimate a, Estimate b) {
