@@ -28,8 +28,9 @@ endif()
 
 enable_language(CUDA)
 find_package(CUDAToolkit REQUIRED)
-set(CMAKE_CUDA_STANDARD 20)
-set(CMAKE_CUDA_STANDARD_REQUIRED ON)
+# CMake before 3.26 does not know that nvcc has C++20: the option is passed as it is.
+set(CMAKE_CUDA_STANDARD_REQUIRED OFF)
+target_compile_options(raylab_flags INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:-std=c++20>)
 set(CMAKE_CUDA_FLAGS_RELEASE "-O3 -lineinfo")
 # #20012: GLM marks its defaulted constructors __device__, which nvcc remarks on at every include.
 target_compile_options(raylab_flags INTERFACE
