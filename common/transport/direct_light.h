@@ -17,40 +17,42 @@
 
 namespace raylab {
 
-// Light from one given light to the surface, by one shadow feeler: f(wo, wi) |cos| L / p_l, times
-// the weight against BSDF sampling. p_choice: the probability that this light was chosen.
+// A shadow feeler still to be traced, and the light it brings if nothing is in its way.
+struct Feeler {
+    Ray ray;
+    Vec3 light = Vec3(0);
+    bool sent = false; // false: no light can come this way, there is nothing to trace
+};
+
+// The feeler to one given light. Its light: f(wo, wi) |cos| L / p_l, times the weight against BSDF
+// sampling. p_choice: the probability that this light was chosen.
 template <Features F>
-HD Vec3 light_from(const SceneView& scene, DirectLight strategy, int light, float p_choice,
-                   const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u,
-                   PathRecord& record) {
+HD Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, float p_choice,
+                    const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
     const LightSample sample = sample_light<F>(scene, light, surface.p, u);
-    if (!sample.valid || !sides_agree(surface, sample.wi)) return Vec3(0);
-    if (strategy == DirectLight::bsdf && !sample.delta) return Vec3(0);
+    if (!sample.valid || !sides_agree(surface, sample.wi)) return {};
+    if (strategy == DirectLight::bsdf && !sample.delta) return {};
 
     const BsdfValue bsdf =
         evaluate_bsdf<F>(scene.materials[surface.material], reflectance,
                          surface.shading.to_local(wo), surface.shading.to_local(sample.wi));
-    if (is_black(bsdf.f_cos)) return Vec3(0);
+    if (is_black(bsdf.f_cos)) return {};
 
-    const Ray feeler = sample.distance == infinity
-                           ? spawn_ray(surface, sample.wi)
-                           : spawn_ray_to(surface, sample.p, sample.error, sample.n);
-    record.shadow_rays += record.shadow_rays < 65535;
-    if (occluded<F>(scene, feeler)) return Vec3(0);
-
+    const Ray ray = sample.distance == infinity
+                        ? spawn_ray(surface, sample.wi)
+                        : spawn_ray_to(surface, sample.p, sample.error, sample.n);
     const float pdf = p_choice * sample.pdf;
     const bool alone = sample.delta || strategy == DirectLight::light;
     const float weight = alone ? 1.0f : power_heuristic(pdf, bsdf.pdf);
-    return bsdf.f_cos * sample.radiance * (weight / pdf);
+    return {ray, bsdf.f_cos * sample.radiance * (weight / pdf), true};
 }
 
-// Light from one light chosen at random, all with the same probability.
+// The feeler to one light chosen at random, all with the same probability.
 template <Features F>
-HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
-                     Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce,
-                     PathRecord& record) {
+HD Feeler feeler_to_any(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
+                        Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce) {
     const int lights = scene.lights.size;
-    if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return Vec3(0);
+    if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return {};
     int light = 0;
     if (lights > 1) {
         const float u = sampler.get_1d(bounce_dimension(bounce, dimension::light_choice));
@@ -58,8 +60,35 @@ HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const Surface
         if (light == lights) light = lights - 1; // u * lights may round up
     }
     const Vec2 u = sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
-    return light_from<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u,
-                         record);
+    return feeler_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u);
+}
+
+// What the feeler finds.
+template <Features F>
+HD Vec3 trace_feeler(const SceneView& scene, const Feeler& feeler, PathRecord& record) {
+    if (!feeler.sent) return Vec3(0);
+    record.shadow_rays += record.shadow_rays < 65535;
+    return occluded<F>(scene, feeler.ray) ? Vec3(0) : feeler.light;
+}
+
+// Light from one given light.
+template <Features F>
+HD Vec3 light_from(const SceneView& scene, DirectLight strategy, int light, float p_choice,
+                   const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u,
+                   PathRecord& record) {
+    const Feeler feeler =
+        feeler_to<F>(scene, strategy, light, p_choice, surface, reflectance, wo, u);
+    return trace_feeler<F>(scene, feeler, record);
+}
+
+// Light from one light chosen at random.
+template <Features F>
+HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
+                     Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce,
+                     PathRecord& record) {
+    const Feeler feeler =
+        feeler_to_any<F>(scene, strategy, surface, reflectance, wo, sampler, bounce);
+    return trace_feeler<F>(scene, feeler, record);
 }
 
 } // namespace raylab
