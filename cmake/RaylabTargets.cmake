@@ -12,7 +12,9 @@ function(raylab_add_folders)
         foreach(list IN LISTS lists)
             get_filename_component(dir ${list} DIRECTORY)
             file(RELATIVE_PATH dir ${CMAKE_SOURCE_DIR} ${dir})
-            if(NOT dir STREQUAL "common/simt")
+            if(RAYLAB_OVERLAY AND EXISTS ${RAYLAB_OVERLAY}/${dir}/CMakeLists.txt)
+                add_subdirectory(${RAYLAB_OVERLAY}/${dir} ${dir})
+            elseif(NOT dir STREQUAL "common/simt")
                 add_subdirectory(${dir})
             endif()
         endforeach()
@@ -45,4 +47,15 @@ function(raylab_test name)
         set(arg_TIMEOUT 1800) # the long counts of `raylab test --long` take minutes
     endif()
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} SKIP_RETURN_CODE 77)
+endfunction()
+
+# raylab_task_tests(<name> SOURCES ... LIBS ...): the tests of a lab's tasks, as students get them.
+# Built also where the project's own tests are not, but only when asked for: by `raylab check`.
+function(raylab_task_tests name)
+    set(project_tests ${RAYLAB_TESTS})
+    set(RAYLAB_TESTS ON) # in this function
+    raylab_test(${name} ${ARGN} LABELS tasks)
+    if(NOT project_tests)
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
 endfunction()

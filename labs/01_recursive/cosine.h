@@ -27,6 +27,7 @@ inline BsdfSample scatter_diffuse(Vec3 albedo, Vec2 u) {
     //[ task 1.5
     const Vec3 wi = sample_cosine(u);
     return {wi, albedo, wi.z * inv_pi, false, wi.z > 0};
+    //| not_implemented("1.5", "scatter_diffuse()");
     //| return {};
     //]
 }
@@ -35,6 +36,7 @@ inline BsdfSample scatter_diffuse(Vec3 albedo, Vec2 u) {
 inline BsdfValue diffuse_value(Vec3 albedo, Vec3 wi) {
     //[ task 1.3
     return {albedo * (inv_pi * wi.z), wi.z * inv_pi};
+    //| not_implemented("1.3", "diffuse_value()");
     //| return {};
     //]
 }

@@ -57,6 +57,7 @@ inline BsdfSample scatter_glass(const Material& material, Vec3 tint, Vec3 wo, fl
     const GlassSplit split = split_glass(material, wo);
     const bool reflects = u_lobe < split.reflectance;
     return {reflects ? split.reflected : split.refracted, tint, 0, true, true};
+    //| not_implemented("1.6", "scatter_glass()");
     //| return {};
     //]
 }

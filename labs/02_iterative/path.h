@@ -13,23 +13,21 @@
 
 namespace raylab::lab02 {
 
-//[ task 2.5
 // Russian roulette: from the fourth surface on, a path survives with probability q = the largest
 // channel of its throughput, and survivors count 1/q, so the mean stays.
 //     E[survives ? T/q : 0] = q (T/q) = T
-// Returns false if the path ends.
+// Returns false if the path ends. u: random, uniform in [0, 1).
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
+    //[ task 2.5
     if (bounce < 3) return true;
     const float q = fminf(max_component(throughput), 1.0f);
     if (u >= q) return false;
     throughput /= q;
     return true;
+    //| not_implemented("2.5", "survives_roulette()");
+    //| return true;
+    //]
 }
-//| HD bool survives_roulette(Vec3&, int, float) {
-//|     not_implemented("2.5", "survives_roulette()");
-//|     return true;
-//| }
-//]
 
 // Radiance along `ray`, by one path. record: what became of the path.
 template <Features F>

@@ -20,23 +20,37 @@ struct Iteration {
     std::uint32_t sample; // index of the sample that this iteration adds to every pixel
 };
 
-// One thread: one pixel, one camera ray, one path. The random numbers are keyed by pixel and
-// sample, never by thread: the launch may be cut into blocks in any way.
+// Which of the image's pixels, counted row by row, is this thread's? -1: it has none.
+__device__ int pixel_of_thread(int pixels) {
+    //[ task 2.2
+    const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+    return thread < pixels ? thread : -1; // the last block overhangs the image
+    //| not_implemented("2.2", "pixel_of_thread()");
+    //| return -1;
+    //]
+}
+
+// The random numbers of a path: keyed by pixel and sample, never by thread, so that the launch may
+// be cut into blocks in any way.
+HD Sampler sampler_of_path(const Iteration& iteration, int pixel) {
+    //[ task 2.4
+    const RenderSettings& settings = iteration.settings;
+    return {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel), iteration.sample};
+    //| not_implemented("2.4", "sampler_of_path()");
+    //| return {};
+    //]
+}
+
+// One thread: one pixel, one camera ray, one path.
 template <Features F, Integrator I>
 __global__ void trace_kernel(SceneView scene, Iteration iteration, FilmPixel* film,
                              PathRecord* records) {
-    //[ task 2.2
-    const int pixel = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     const Camera& camera = scene.camera;
-    if (pixel >= camera.width * camera.height) return; // the last block overhangs the image
-    //|
-    //]
-    //[ task 2.4
+    const int pixel = pixel_of_thread(camera.width * camera.height);
+    if (pixel < 0) return;
+
     const RenderSettings& settings = iteration.settings;
-    const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
-                             iteration.sample};
-    //|
-    //]
+    const Sampler sampler = sampler_of_path(iteration, pixel);
     const Vec2 u_film = sampler.get_2d(dimension::film);
     const Vec2 u_lens = sampler.get_2d(dimension::lens);
     const Ray ray =
@@ -51,7 +65,7 @@ __global__ void trace_kernel(SceneView scene, Iteration iteration, FilmPixel* fi
     //[ task 2.3
     add_sample(film[pixel], radiance);
     records[pixel] = record;
-    //|
+    //| not_implemented("2.3", "trace_kernel()");
     //]
 }
 
@@ -68,12 +82,15 @@ class IterativeRenderer final : public Renderer {
         configure_machine(machine_);
         const Iteration iteration = {host_scene_.render, samples_};
         const int block = machine_.block_size;
-        const int blocks = blocks_for(pixels_, block);
         with_variant(features_, [&]<Features F>() {
             const auto kernel = iteration.settings.integrator == Integrator::path
                                     ? trace_kernel<F, Integrator::path>
                                     : trace_kernel<F, Integrator::whitted>;
+            //[ task 2.2
+            const int blocks = blocks_for(pixels_, block);
             kernel<<<blocks, block>>>(scene_.view(), iteration, film_.data(), records_.data());
+            //| not_implemented("2.2", "add_iteration()");
+            //]
         });
         check(cudaGetLastError(), "trace_kernel launch");
         const int warps = blocks_for(pixels_, warp_lanes);

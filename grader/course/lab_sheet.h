@@ -1,0 +1,62 @@
+// labs/NN_name/lab.json: what a lab asks of its students.
+//
+//     { "version": 1, "number": "02", "folder": "02_iterative", "title": "...",
+//       "tests": "lab02_tasks_test",
+//       "test_files": ["tests/loop_test.cpp", ...],
+//       "scenes": ["cornell", ...],
+//       "withhold": ["common/geometry/intersect.h", ...],
+//       "tasks": [ { "id": "2.1", "title": "...", "points": 30, "minutes": 90,
+//                    "files": ["path.h"], "tests": ["Task2_1.*"], "needs": [],
+//                    "hints": "2.1 The loop", "picture": "what you should see" }, ... ] }
+#pragma once
+
+#include "grader/course/course_error.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+struct Task {
+    std::string id; // "2.1": the lab's number, a dot, 1 2 3 ... in the order of the list
+    std::string title;
+    int points = 0;
+    int minutes = 0;                // a student is expected to need
+    std::vector<std::string> files; // in the lab's folder: where its markers are
+    std::vector<std::string> tests; // GoogleTest filters: "Task2_1.*"
+    std::vector<std::string> needs; // tasks without which its tests cannot tell
+    std::string hints;              // heading of its section in the lab's README.md
+    std::string picture;            // what should be seen when it is done
+};
+
+struct LabSheet {
+    std::filesystem::path root; // of the tree that the lab is in
+    std::string number;         // "02"
+    std::string folder;         // "02_iterative"
+    std::string title;
+    std::string test_target;             // the program that has the tests of all tasks
+    std::vector<std::string> test_files; // its sources, handed out with the lab
+    std::vector<std::string> scenes;     // worth rendering with it
+    // Files of common, by their place in the tree, that answer a task of this lab: left out of its
+    // release, or in part (markers.h, `withhold`).
+    std::vector<std::string> withhold;
+    std::vector<Task> tasks;
+
+    std::filesystem::path path() const { return root / "labs" / folder; }
+    const Task* find(const std::string& id) const; // nullptr if there is no such task
+    std::vector<std::string> task_ids() const;
+    std::vector<std::string> files() const; // of all tasks, each once
+};
+
+// Reads and checks root/labs/FOLDER/lab.json: keys, types, ids, that every file named is there and
+// every task has tests. Throws CourseError `labs/02_iterative/lab.json:line:column: ...`.
+LabSheet read_lab_sheet(const std::filesystem::path& root, const std::string& folder);
+
+// Every lab of the tree, labs/*/lab.json, in order.
+std::vector<LabSheet> read_lab_sheets(const std::filesystem::path& root);
+
+// By number ("02", "2") or folder. Throws CourseError with the labs there are.
+const LabSheet& find_lab(const std::vector<LabSheet>& sheets, const std::string& name);
+
+} // namespace raylab

@@ -1,0 +1,46 @@
+// NOT IMPLEMENTED, WRONG or PASS: what the tests of a task say about a lab.
+//
+// Each test runs in a process of its own: one that crashes or never ends takes no other with it,
+// and what a stub says belongs to the test that met it.
+#pragma once
+
+#include "grader/course/lab_sheet.h"
+
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+enum class Verdict { not_implemented, wrong, pass };
+
+// "task 2.3 trace_kernel() is not implemented: labs/02_iterative/renderer.cu:41"
+struct Stub {
+    std::string task, function, place;
+    std::string sentence() const;
+    bool operator==(const Stub&) const = default;
+};
+
+struct TaskResult {
+    Task task;
+    Verdict verdict = Verdict::pass;
+    std::vector<Stub> stubs;        // why not implemented: of this task, or of one that it needs
+    std::vector<std::string> facts; // what was measured to be wrong, where no stub was met
+    int tests = 0, passed = 0;
+    double seconds = 0;
+
+    int points() const { return verdict == Verdict::pass ? task.points : 0; }
+};
+
+// Runs the tests of a task, all from `program`, whose sources are in sheet.root (or a copy of the
+// lab, for which the place of a stub is told all the same). Throws CourseError if a filter of the
+// task finds no test.
+TaskResult judge_task(const LabSheet& sheet, const Task& task,
+                      const std::filesystem::path& program);
+
+// The stubs of a task that still stand in the lab's folder, whether or not anything calls them.
+std::vector<Stub> standing_stubs(const LabSheet& sheet, const std::filesystem::path& lab_folder,
+                                 const Task& task);
+
+const char* name(Verdict verdict); // "NOT IMPLEMENTED", "WRONG", "PASS"
+
+} // namespace raylab
