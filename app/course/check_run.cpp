@@ -1,0 +1,125 @@
+// Build what changed, run the tests, say for each task what they found.
+#include "app/course/check_run.h"
+
+#include "common/cli/progress.h"
+#include "grader/course/process.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace raylab::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double build_limit_seconds = 1800; // a first build, on a slow machine
+constexpr std::size_t shown_error_lines = 40;
+
+// What the compiler said, without ninja's lines and command lines; files as seen from the root.
+std::string compiler_errors(const std::string& output, const fs::path& root) {
+    std::istringstream lines(output);
+    std::string errors;
+    std::size_t shown = 0;
+    bool command_follows = false;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_command = std::exchange(command_follows, line.starts_with("FAILED: "));
+        if (is_command || line.starts_with("[") || line.starts_with("FAILED: ") ||
+            line.starts_with("ninja: "))
+            continue;
+        for (std::size_t at; (at = line.find(root.string() + "/")) != line.npos;)
+            line.erase(at, root.string().size() + 1);
+        if (++shown > shown_error_lines) return errors + "... and more\n";
+        errors += line + "\n";
+    }
+    return errors;
+}
+
+} // namespace
+
+bool CheckReport::passed() const {
+    return compiler_errors.empty() &&
+           std::all_of(results.begin(), results.end(),
+                       [](const TaskResult& r) { return r.verdict == Verdict::pass; });
+}
+
+CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
+                        const std::vector<std::string>& ids) {
+    CheckReport report{sheet, "", {}, 0, 0};
+    const ProcessOutcome build =
+        run_process({"cmake", "--build", tree.build.string(), "--target", sheet.test_target},
+                    tree.root, build_limit_seconds);
+    report.build_seconds = build.seconds;
+    if (!build.succeeded()) {
+        report.compiler_errors = compiler_errors(build.output, tree.root);
+        // Errors that do not name a file of the lab are not the student's.
+        if (report.compiler_errors.find("labs/" + sheet.folder) == std::string::npos)
+            throw std::runtime_error("the build failed outside the lab:\n" +
+                                     report.compiler_errors);
+        return report;
+    }
+    const fs::path program = tree.build / "labs" / sheet.folder / sheet.test_target;
+    Progress progress("checking", static_cast<int>(ids.size()), "tasks", 1);
+    for (const std::string& id : ids) {
+        report.results.push_back(judge_task(sheet, *sheet.find(id), program));
+        report.test_seconds += report.results.back().seconds;
+        progress.update(static_cast<int>(report.results.size()));
+    }
+    return report;
+}
+
+std::string to_text(const CheckReport& report) {
+    if (!report.compiler_errors.empty())
+        return fmt::format("{}lab {} does not compile: no task was tested\n",
+                           report.compiler_errors, report.sheet.number);
+    std::string text;
+    int points = 0, of = 0;
+    for (const TaskResult& result : report.results) {
+        points += result.points(), of += result.task.points;
+        text += fmt::format("{:15}  {}  {} ({}/{} points)\n", name(result.verdict), result.task.id,
+                            result.task.title, result.points(), result.task.points);
+        for (const Stub& stub : result.stubs)
+            text += fmt::format(
+                "    {}{}\n", stub.task == result.task.id ? "" : "needs first: ", stub.sentence());
+        for (const std::string& fact : result.facts) text += fmt::format("    {}\n", fact);
+        if (result.verdict != Verdict::pass)
+            text += fmt::format("    read on: labs/{}/README.md, \"{}\"\n", report.sheet.folder,
+                                result.task.hints);
+    }
+    return text + fmt::format("{} of {} points; built in {}, tested in {}\n", points, of,
+                              human_duration(report.build_seconds),
+                              human_duration(report.test_seconds));
+}
+
+std::string to_json(const CheckReport& report) {
+    nlohmann::ordered_json tasks = nlohmann::ordered_json::array();
+    for (const TaskResult& result : report.results) {
+        nlohmann::ordered_json stubs = nlohmann::ordered_json::array();
+        for (const Stub& stub : result.stubs)
+            stubs.push_back(
+                {{"task", stub.task}, {"function", stub.function}, {"place", stub.place}});
+        tasks.push_back({{"id", result.task.id},
+                         {"title", result.task.title},
+                         {"verdict", name(result.verdict)},
+                         {"points", result.points()},
+                         {"of_points", result.task.points},
+                         {"tests", result.tests},
+                         {"tests_passed", result.passed},
+                         {"not_implemented", stubs},
+                         {"facts", result.facts},
+                         {"seconds", result.seconds}});
+    }
+    const nlohmann::ordered_json json = {{"lab", report.sheet.number},
+                                         {"compiles", report.compiler_errors.empty()},
+                                         {"compiler_errors", report.compiler_errors},
+                                         {"passed", report.passed()},
+                                         {"tasks", tasks},
+                                         {"build_seconds", report.build_seconds},
+                                         {"test_seconds", report.test_seconds}};
+    return json.dump(2);
+}
+
+} // namespace raylab::app

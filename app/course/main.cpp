@@ -1,0 +1,32 @@
+// raylab-check: the program behind `raylab check`, `raylab prove` and `raylab release`.
+#include "app/course/commands.h"
+#include "common/cli/files.h"
+
+#include <fmt/format.h>
+
+int main(int argc, char** argv) {
+    using namespace raylab;
+    const app::Tree tree = {RAYLAB_ROOT, RAYLAB_BUILD};
+    CLI::App cli("raylab: check a lab's tasks, and hand labs out", "raylab");
+    cli.require_subcommand(1);
+    std::map<CLI::App*, app::Run> runs;
+    const auto add = [&](const char* name, app::Run (*command)(CLI::App&, const app::Tree&)) {
+        CLI::App* sub = cli.add_subcommand(name);
+        runs[sub] = command(*sub, tree);
+    };
+    add("check", app::add_check);
+    try {
+        cli.parse(argc, argv);
+        return static_cast<int>(runs.at(cli.get_subcommands().front())());
+    } catch (const CLI::ParseError& error) {
+        const bool asked_for_help = error.get_exit_code() == 0;
+        cli.exit(error);
+        return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_usage);
+    } catch (const CourseError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::tool_failed);
+    }
+}
