@@ -2,6 +2,7 @@
 #include "app/labs.h"
 #include "labs/01_recursive/renderer.h"
 #include "labs/02_iterative/renderer.h"
+#include "labs/03_wavefront/renderer.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,8 @@ const std::vector<Lab>& labs() {
         {"01", "01_recursive", "the recursive tracer, plain C++", lab01::make_renderer},
         {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel",
          lab02::make_renderer},
+        {"03", "03_wavefront", "the wavefront: a pool of rays, one launch a stage and bounce",
+         lab03::make_renderer, true},
     };
     return all;
 }

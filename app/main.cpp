@@ -19,7 +19,7 @@ struct Command {
 
 constexpr Command commands[] = {
     {"demo", add_demo},           {"render", add_render}, {"compare", add_compare},
-    {"reference", add_reference}, {"scenes", add_scenes}, {"export", add_export},
+    {"bench", add_bench},     {"reference", add_reference}, {"scenes", add_scenes}, {"export", add_export},
 };
 
 // Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.
@@ -53,6 +53,9 @@ int main(int argc, char** argv) {
     try {
         return raylab::app::run(argc, argv);
     } catch (const raylab::app::UsageError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(ExitCode::bad_usage);
+    } catch (const raylab::SettingsError& error) {
         fmt::print(stderr, "raylab: {}\n", error.what());
         return static_cast<int>(ExitCode::bad_usage);
     } catch (const raylab::SceneError& error) {

@@ -1,5 +1,8 @@
 #include "app/options.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
 #include <map>
 
 namespace raylab::app {
@@ -15,6 +18,23 @@ const std::map<std::string, DirectLight> strategies = {
 const std::map<std::string, ThreadOrder> orders = {{"forward", ThreadOrder::forward},
                                                    {"reverse", ThreadOrder::reverse},
                                                    {"random", ThreadOrder::random}};
+const std::map<std::string, ScanKind> scans = {{"serial", ScanKind::serial},
+                                               {"naive", ScanKind::naive},
+                                               {"efficient", ScanKind::efficient},
+                                               {"warp", ScanKind::warp},
+                                               {"library", ScanKind::library}};
+const std::map<std::string, MaterialSort> sorts = {
+    {"off", MaterialSort::off}, {"on", MaterialSort::on}, {"queues", MaterialSort::queues}};
+
+// "off", "on" or a number of bounces; -1 if it is none of these.
+int parse_compact(const std::string& text) {
+    if (text == "off") return 0;
+    if (text == "on") return 1;
+    int every = -1;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, every);
+    return error == std::errc() && stop == end && every >= 1 ? every : -1;
+}
 
 // An option that takes one of the names and stores what it stands for.
 template <class T, class Target>
@@ -55,6 +75,48 @@ void add_machine_options(CLI::App& app, MachineSettings& machine) {
         ->group(group);
     add_choice(app, "--order", machine.order, orders, "order in which CUDA threads run", group);
     app.add_option("--order-seed", machine.order_seed, "seed of --order random")->group(group);
+}
+
+void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
+    const std::string group = "Pool of rays (lab 03; none changes a bit of the image)";
+    app.add_option_function<std::string>(
+           "--compact",
+           [&wavefront](const std::string& text) { wavefront.compact_every = parse_compact(text); },
+           "remove ended rays: off, on (after each bounce) or after every K-th bounce")
+        ->check([](const std::string& text) {
+            return parse_compact(text) < 0
+                       ? fmt::format("'{}' is neither off, on nor a number of bounces, 1 or more",
+                                     text)
+                       : std::string();
+        })
+        ->type_name("off|on|K")
+        ->group(group);
+    add_choice(app, "--scan", wavefront.scan, scans, "prefix sums", group);
+    add_choice(app, "--sort", wavefront.sort, sorts,
+               "by material: not at all, one sorted list, or a queue and a kernel for each", group);
+    app.add_option("--pool", wavefront.pool, "paths in flight, at most")
+        ->check(CLI::Range(1, 1 << 28))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--shuffle", wavefront.shuffle, "seed that deals pixels out to slots")
+        ->group(group);
+    app.add_option_function<int>(
+           "--memory-budget",
+           [&wavefront](int mib) { wavefront.memory_budget = std::int64_t{mib} << 20; },
+           "MiB of device memory for scene, film and pool (default: all there is)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("MIB")
+        ->group(group);
+    app.add_flag("--shared-geometry", wavefront.shared_geometry,
+                 "read shapes from shared memory, if they fit")
+        ->group(group);
+}
+
+void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront) {
+    if (lab.has_pool || wavefront == WavefrontSettings{}) return;
+    throw UsageError(fmt::format("lab {} has no pool of rays: --compact, --scan, --sort, --pool, "
+                                 "--shuffle, --memory-budget and --shared-geometry are for lab 03",
+                                 lab.number));
 }
 
 } // namespace raylab::app

@@ -17,4 +17,10 @@ using Run = std::function<ExitCode()>;
 void add_scene_options(CLI::App& app, SceneChanges& changes);
 void add_machine_options(CLI::App& app, MachineSettings& machine);
 
+// The options of labs with a pool of rays.
+void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront);
+
+// Throws UsageError if such an option is given and the lab has no pool.
+void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront);
+
 } // namespace raylab::app

@@ -1,6 +1,7 @@
 // All labs draw the same image. Every bundled scene, several seeds: the recursive lab and the
 // iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative
-// lab gives the same bits however its threads are cut into blocks, ordered and shared out.
+// lab gives the same bits however its threads are cut into blocks, ordered and shared out; so does
+// the wavefront, whatever its pool.
 #include "app/labs.h"
 #include "app/scene_changes.h"
 #include "common/scene/load.h"
@@ -92,6 +93,35 @@ TEST_P(EveryScene, IterativeLabIsBitIdenticalHoweverItIsRun) {
           MachineSettings{.threads = 2, .block_size = 1024, .order = ThreadOrder::random}})
         EXPECT_TRUE(same_bits(trace("02", scene, machine, 2).film, expected))
             << machine.threads << " threads, blocks of " << machine.block_size;
+}
+
+std::string described(const WavefrontSettings& w) {
+    return "compaction " + std::to_string(w.compact_every) + ", scan " +
+           std::to_string(static_cast<int>(w.scan)) + ", sort " +
+           std::to_string(static_cast<int>(w.sort)) + ", pool " + std::to_string(w.pool) +
+           ", shuffle " + std::to_string(w.shuffle);
+}
+
+// POOL-INVAR of the suite of hard cases: nothing about the pool changes a bit.
+TEST_P(EveryScene, WavefrontLabHasTheBitsOfTheIterativeOne) {
+    const Scene scene = small(GetParam(), 24, 7);
+    const Traced expected = trace("02", scene, {}, 2);
+    for (const WavefrontSettings& wavefront :
+         {WavefrontSettings{}, WavefrontSettings{.compact_every = 0, .pool = 100},
+          WavefrontSettings{.compact_every = 3, .scan = ScanKind::serial, .pool = 131},
+          WavefrontSettings{.sort = MaterialSort::on, .pool = 500, .shuffle = 9},
+          WavefrontSettings{.sort = MaterialSort::queues, .shuffle = 77},
+          WavefrontSettings{.compact_every = 2, .sort = MaterialSort::queues, .pool = 77}})
+        for (const int block : {32, 1000}) {
+            // One host thread: launches so small are not worth waking another.
+            const MachineSettings machine{
+                .threads = 1, .block_size = block, .wavefront = wavefront};
+            const Traced traced = trace("03", scene, machine, 2);
+            ASSERT_EQ(first_difference(traced, expected, scene.camera.width), "")
+                << described(wavefront) << ", block " << block;
+            ASSERT_TRUE(same_bits(traced.film, expected.film))
+                << described(wavefront) << ", block " << block;
+        }
 }
 
 TEST_P(EveryScene, RecursiveLabIsBitIdenticalForAnyThreadCount) {

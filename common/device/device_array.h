@@ -45,6 +45,15 @@ template <class T> class DeviceArray {
         return *this;
     }
 
+    // Replaces the contents by as many elements of host memory.
+    void assign(std::span<const T> host) {
+        check(cudaMemcpy(data_, host.data(), host.size_bytes(), cudaMemcpyHostToDevice),
+              "cudaMemcpy");
+    }
+
+    // All bytes zero.
+    void clear() { check(cudaMemset(data_, 0, size_ * sizeof(T)), "cudaMemset"); }
+
     T* data() { return data_; }
     const T* data() const { return data_; }
     std::size_t size() const { return size_; }

@@ -36,6 +36,15 @@ std::string to_json(const Ledger& ledger) {
         {"non_finite_samples", ledger.rejected},
         {"threads_launched", ledger.threads_launched},
     };
+    if (ledger.pool_paths > 0)
+        json["pool"] = {{"paths", ledger.pool_paths}, {"bytes_per_path", ledger.path_bytes}};
+    if (!ledger.stages.empty()) json["stages"] = nlohmann::ordered_json::array();
+    for (const StageCounts& stage : ledger.stages)
+        json["stages"].push_back({{"name", stage.name},
+                                  {"launches", stage.launches},
+                                  {"blocks", stage.blocks},
+                                  {"threads", stage.threads},
+                                  {"seconds", stage.seconds}});
     json["bounces"] = nlohmann::ordered_json::array();
     for (const BounceCounts& bounce : ledger.bounces) {
         nlohmann::ordered_json row = {{"rays", bounce.rays}};
@@ -47,10 +56,35 @@ std::string to_json(const Ledger& ledger) {
         row["out"] = bounce.rays - ended;
         row["lanes"] = bounce.lanes;
         row["lanes_alive"] = lanes_alive(bounce);
+        if (bounce.blocks > 0) {
+            row["blocks"] = bounce.blocks;
+            row["batches"] = bounce.batches;
+        }
         json["bounces"].push_back(row);
     }
     return json.dump(2);
 }
+
+namespace {
+
+// What each stage takes of the whole; what no stage takes is launching, copying and waiting.
+std::string stage_table(const Ledger& ledger) {
+    std::string table = fmt::format("{:>12} {:>10} {:>12} {:>14} {:>10} {:>7}\n", "stage",
+                                    "launches", "blocks", "threads", "ms", "share");
+    double rest = ledger.seconds;
+    const auto share = [&](double seconds) { return 100 * seconds / ledger.seconds; };
+    for (const StageCounts& stage : ledger.stages) {
+        if (stage.launches == 0) continue;
+        rest -= stage.seconds;
+        table += fmt::format("{:>12} {:>10} {:>12} {:>14} {:>10.2f} {:>5.1f} %\n", stage.name,
+                             stage.launches, stage.blocks, stage.threads, 1e3 * stage.seconds,
+                             share(stage.seconds));
+    }
+    return table + fmt::format("{:>12} {:>10} {:>12} {:>14} {:>10.2f} {:>5.1f} %\n", "between", "",
+                               "", "", 1e3 * rest, share(rest));
+}
+
+} // namespace
 
 std::string to_table(const Ledger& ledger) {
     std::string table =
@@ -66,6 +100,7 @@ std::string to_table(const Ledger& ledger) {
                      : fmt::format("{:5.1f} % {}\n", 100 * alive,
                                    std::string(static_cast<std::size_t>(alive * 30), '#'));
     }
+    if (!ledger.stages.empty()) table += stage_table(ledger);
     return table;
 }
 

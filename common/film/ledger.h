@@ -38,6 +38,16 @@ struct BounceCounts {
     std::uint64_t rays = 0;              // paths alive when the bounce began
     std::uint64_t ended[path_ends] = {}; // of those, how many ended here, by cause
     std::uint64_t lanes = 0; // lanes that a GPU holds for them: 32 for each warp with a path alive
+    // Of the launches that traced this bounce alone, if the lab has such: their blocks, and the
+    // batches in which the device works them off.
+    std::uint64_t blocks = 0, batches = 0;
+};
+
+// One of the kernels that a lab launches over and over.
+struct StageCounts {
+    std::string name;
+    std::uint64_t launches = 0, blocks = 0, threads = 0;
+    double seconds = 0; // on the device
 };
 
 struct Ledger {
@@ -48,6 +58,8 @@ struct Ledger {
     std::uint64_t rejected = 0;         // samples that were not finite
     std::uint64_t threads_launched = 0; // over all launches
     double seconds = 0;                 // tracing alone
+    std::vector<StageCounts> stages;    // of labs that trace in several launches a sample
+    int pool_paths = 0, path_bytes = 0; // paths in flight at most, device memory for each
 
     std::uint64_t rays() const; // camera and scattered rays + shadow rays
 };

@@ -3,10 +3,12 @@
 
 #include "common/film/film.h"
 #include "common/film/ledger.h"
+#include "common/render/wavefront_settings.h"
 #include "common/scene/features.h"
 #include "common/scene/scene.h"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,12 @@ struct MachineSettings {
     int block_size = 128; // CUDA threads per block
     ThreadOrder order = ThreadOrder::forward;
     std::uint32_t order_seed = 1;
+    WavefrontSettings wavefront = {}; // of labs with a pool of rays
+};
+
+// A lab cannot meet these settings for this scene: what() says why, and what would do.
+struct SettingsError : std::runtime_error {
+    using std::runtime_error::runtime_error;
 };
 
 class Renderer {
@@ -45,6 +53,7 @@ struct Lab {
     std::string title;
     // The scene must outlive the renderer.
     std::unique_ptr<Renderer> (*make)(const Scene& scene, const MachineSettings& machine);
+    bool has_pool = false; // takes MachineSettings::wavefront
 };
 
 // A ledger that knows its scene and machine, and has counted nothing yet.

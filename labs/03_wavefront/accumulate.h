@@ -1,0 +1,48 @@
+// Stage 7: the unaccumulated colours join the film, once the last path of the batch has ended.
+//
+// All paths of the batch, not those that are alive: a path that ended early brings its light too.
+// Each is added once, by the one thread that owns its pixel now.
+#pragma once
+
+#include "common/film/film.h"
+#include "common/task/not_implemented.h"
+#include "labs/03_wavefront/wave.h"
+
+namespace raylab::lab03 {
+
+// Counters are privatised, as in lab 02: blocks add to different copies.
+constexpr int shards = 16;
+
+// Per shard and bounce: the paths that ended there, by cause.
+struct EndTally {
+    unsigned long long ended[path_ends];
+};
+
+// What a batch leaves behind.
+struct Results {
+    FilmPixel* film;                 // a pixel each
+    PathRecord* records;             // a pixel each
+    EndTally* tallies;               // shards * bounces
+    unsigned long long* shadow_rays; // shards
+    int bounces;
+};
+
+HD void accumulate_path(const Wave& wave, int slot, const Results& results) {
+    //[ task 3.1
+    const std::uint32_t pixel = wave.pool.pixel[slot];
+    add_sample(results.film[pixel], wave.pool.radiance[slot]);
+    results.records[pixel] = wave.pool.record[slot];
+    //| not_implemented("3.1", "accumulate_path()");
+    //]
+}
+
+__device__ inline void count_end(const Results& results, const PathRecord& record) {
+    const int shard = static_cast<int>(blockIdx.x % shards);
+    const int length = record.length < results.bounces ? record.length : results.bounces;
+    if (length == 0) return; // never traced
+    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
+    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
+    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
+}
+
+} // namespace raylab::lab03

@@ -1,0 +1,37 @@
+#include "labs/03_wavefront/memory_budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab::lab03 {
+
+namespace {
+template <class T> std::size_t bytes(const Array<T>& array) { return array.size * sizeof(T); }
+} // namespace
+
+std::size_t scene_bytes(const SceneView& scene) {
+    return bytes(scene.spheres) + bytes(scene.quads) + bytes(scene.quad_groups) +
+           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) +
+           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
+           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
+           bytes(scene.environment.column_cdf);
+}
+
+int pool_that_fits(std::int64_t budget, const MemoryNeeds& needs, int wanted) {
+    constexpr int least = 32; // a warp: below that, threads idle from the start
+    const auto mib = [](double bytes) { return bytes / (1 << 20); };
+    const std::int64_t fixed = static_cast<std::int64_t>(needs.scene_bytes + needs.film_bytes);
+    const std::int64_t slots = (budget - fixed) / static_cast<std::int64_t>(needs.slot_bytes);
+    const int enough = std::min(wanted, least);
+    if (budget < fixed || slots < enough)
+        throw SettingsError(fmt::format(
+            "the scene takes {:.2f} MiB, the film {:.2f} MiB and a pool of {} paths, the least, "
+            "{:.2f} MiB at {} bytes a path: more than the {:.2f} MiB there are. Choose a larger "
+            "--memory-budget or a smaller image.",
+            mib(needs.scene_bytes), mib(needs.film_bytes), enough, mib(enough * needs.slot_bytes),
+            needs.slot_bytes, mib(budget)));
+    return static_cast<int>(std::min<std::int64_t>(wanted, slots));
+}
+
+} // namespace raylab::lab03

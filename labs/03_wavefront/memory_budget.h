@@ -1,0 +1,24 @@
+// How large a pool the memory allows.
+//
+// "Single biggest constraint is memory": scene and film must fit as they are, the pool takes what
+// is left, for a smaller pool draws the same image in more batches. Below one warp it is refused.
+#pragma once
+
+#include "common/render/renderer.h"
+
+namespace raylab::lab03 {
+
+struct MemoryNeeds {
+    std::size_t scene_bytes; // all arrays of the scene
+    std::size_t film_bytes;  // sums and path records, a pixel each
+    std::size_t slot_bytes;  // for each slot of the pool: path, branches, lists, scan
+};
+
+// What the scene's arrays take.
+std::size_t scene_bytes(const SceneView& scene);
+
+// Slots that fit into `budget` bytes, at most `wanted`. Throws SettingsError, with the figures,
+// if there is not room for a warp.
+int pool_that_fits(std::int64_t budget, const MemoryNeeds& needs, int wanted);
+
+} // namespace raylab::lab03

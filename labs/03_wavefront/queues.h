@@ -1,0 +1,30 @@
+// Queues of slots: what one stage finds out and a later one works off.
+//
+// A thread takes its place by an atomic addition. Which path gets which place depends on chance,
+// but paths share nothing, so the image does not.
+#pragma once
+
+#include "common/material/material.h"
+#include "common/simt/cuda.h"
+
+namespace raylab::lab03 {
+
+constexpr int material_kinds = static_cast<int>(MaterialKind::rough_dielectric) + 1;
+
+// The numbers that the host reads between two stages.
+struct Counters {
+    int kind[material_kinds]; // paths in each kind's queue
+    int feelers;
+    int alive;      // paths, in a list that was not compacted
+    int busy_warps; // warps of that list with a path alive
+};
+
+struct Queues {
+    int* kind[material_kinds]; // slots by material; null: that kind has no queue
+    int* feelers;              // slots whose shadow feeler is on its way
+    Counters* counters;
+};
+
+__device__ inline void push(int* queue, int& size, int slot) { queue[atomicAdd(&size, 1)] = slot; }
+
+} // namespace raylab::lab03

@@ -1,0 +1,44 @@
+// Prefix sums (scan): out[i] = in[0] + in[1] + ... + in[i - 1], and out[0] = 0.
+//
+// The sum before an element is the place it goes to when only some are kept: compaction, sorting
+// and queues without atomics are all made of it. Here are five ways to one result, from the loop to
+// the library. Harris, Sengupta and Owens, Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3,
+// chapter 39; Blelloch, Prefix Sums and Their Applications, 1990.
+//
+// Numbers are 32 bit and wrap like unsigned ones; lengths and indices are 64 bit, so that 2^31
+// elements are as good as ten. Any length, also 0. in and out are device memory and do not overlap.
+#pragma once
+
+#include "common/math/hd.h"
+#include "common/render/wavefront_settings.h"
+#include "common/simt/cuda.h"
+
+#include <cstdint>
+
+namespace raylab::lab03 {
+
+// Everybody's signature. workspace: device memory of as many numbers as the scan says it needs.
+using ScanFunction = void(const std::uint32_t* in, std::uint32_t* out, std::int64_t n,
+                          std::uint32_t* workspace);
+
+ScanFunction scan_serial;    // one thread: what the others must beat
+ScanFunction scan_naive;     // Hillis and Steele: log n launches, n log n additions
+ScanFunction scan_efficient; // Blelloch: up and down a tree in shared memory, n additions
+ScanFunction scan_warp;      // shuffles within warps
+ScanFunction scan_library;   // CUB on a GPU, the standard library on the CPU machine
+
+// By name, and the numbers of workspace that it needs for up to n elements.
+ScanFunction* scan_function(ScanKind kind);
+std::int64_t scan_workspace(ScanKind kind, std::int64_t n);
+std::int64_t scan_library_workspace(std::int64_t n);
+
+// The index of a thread over a whole grid. The product of blockIdx.x and blockDim.x, both 32 bit,
+// wraps at 2^32, and as int at 2^31: one factor must be made wide before.
+HD constexpr std::int64_t grid_index(unsigned block, unsigned block_size, unsigned thread) {
+    return static_cast<std::int64_t>(block) * block_size + thread;
+}
+__device__ inline std::int64_t global_index() {
+    return grid_index(blockIdx.x, blockDim.x, threadIdx.x);
+}
+
+} // namespace raylab::lab03

@@ -1,0 +1,68 @@
+// Stage 2: the closest hit of every ray in the pool; and stage 5, its shadow feelers.
+//
+// These two are the only stages that read the scene's geometry, and the only ones without shading.
+#pragma once
+
+#include "common/geometry/intersect.h"
+#include "common/transport/emission.h"
+#include "labs/03_wavefront/branches.h"
+
+namespace raylab::lab03 {
+
+HD Ray ray_of(const PoolView& pool, int slot) { return {pool.origin[slot], pool.direction[slot]}; }
+
+// The kind of material at the hit.
+template <Features F> HD MaterialKind kind_at(const SceneView& scene, const Hit& hit) {
+    int material = 0;
+    if constexpr (F & feature::sphere)
+        if (hit.shape == Shape::sphere) material = scene.spheres[hit.index].tags.material;
+    if constexpr (F & feature::quad)
+        if (hit.shape == Shape::quad) material = scene.quads[hit.index].tags.material;
+    if constexpr (F & feature::plane)
+        if (hit.shape == Shape::plane) material = scene.planes[hit.index].tags.material;
+    if constexpr (F & feature::triangle)
+        if (hit.shape == Shape::triangle) material = scene.triangles[hit.index].tags.material;
+    return scene.materials[material].kind;
+}
+
+// Finds what the slot's ray meets. A ray that leaves takes the sky's light along and ends its path,
+// or its branch of the tree. scene: wave.scene, perhaps with its shapes in faster memory.
+template <Features F, Integrator I>
+HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
+    //[ task 3.1
+    const PoolView& pool = wave.pool;
+    const Ray ray = ray_of(pool, slot);
+    const Hit hit = intersect<F>(scene, ray);
+    record_hit(pool.record[slot], hit.id);
+    pool.hit[slot] = hit;
+    if (hit.found()) {
+        pool.kind[slot] = static_cast<std::uint8_t>(kind_at<F>(scene, hit));
+        return;
+    }
+    pool.kind[slot] = no_kind;
+    constexpr bool whitted = I == Integrator::whitted;
+    const DirectLight strategy = whitted ? DirectLight::light : wave.settings.direct_light;
+    pool.radiance[slot] +=
+        pool.throughput[slot] * escaped_light<F>(wave.scene, strategy, ray, pool.bsdf_pdf[slot]);
+    if constexpr (whitted)
+        next_branch(pool, slot);
+    else
+        end_path(pool, slot, PathEnd::escaped);
+    //| not_implemented("3.1", "intersect_path()");
+    //| wave.pool.kind[slot] = no_kind;
+    //| end_path(wave.pool, slot, PathEnd::absorbed);
+    //]
+}
+
+// The feeler's light joins the path's if nothing is in its way.
+template <Features F> HD void shadow_path(const Wave& wave, const SceneView& scene, int slot) {
+    //[ task 3.1
+    const PoolView& pool = wave.pool;
+    const Ray feeler = {pool.feeler_origin[slot], pool.feeler_direction[slot],
+                        pool.feeler_t_max[slot]};
+    if (!occluded<F>(scene, feeler)) pool.radiance[slot] += pool.feeler_light[slot];
+    //| not_implemented("3.1", "shadow_path()");
+    //]
+}
+
+} // namespace raylab::lab03
