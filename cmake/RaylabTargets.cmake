@@ -49,13 +49,9 @@ function(raylab_test name)
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} SKIP_RETURN_CODE 77)
 endfunction()
 
-# raylab_task_tests(<name> SOURCES ... LIBS ...): the tests of a lab's tasks, as students get them.
-# Built also where the project's own tests are not, but only when asked for: by `raylab check`.
+# raylab_task_tests(<name> SOURCES ... LIBS ...): the tests of a lab's tasks, as students get them:
+# built also where the project's own tests are not.
 function(raylab_task_tests name)
-    set(project_tests ${RAYLAB_TESTS})
     set(RAYLAB_TESTS ON) # in this function
     raylab_test(${name} ${ARGN} LABELS tasks)
-    if(NOT project_tests)
-        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    endif()
 endfunction()

@@ -46,8 +46,7 @@ void wait_for_change(const fs::path& folder, fs::file_time_type since) {
 
 ExitCode run_check(const Tree& tree, const CheckOptions& options) {
     for (;;) {
-        const std::vector<LabSheet> sheets = read_lab_sheets(tree.root);
-        const LabSheet& sheet = find_lab(sheets, options.lab);
+        const LabSheet sheet = find_lab(tree.root, options.lab);
         const auto before = last_change(sheet.path());
         const CheckReport report = check_tasks(tree, sheet, asked_tasks(sheet, options.task));
         if (options.json)

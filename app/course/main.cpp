@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
         runs[sub] = command(*sub, tree);
     };
     add("check", app::add_check);
+    add("prove", app::add_prove);
     try {
         cli.parse(argc, argv);
         return static_cast<int>(runs.at(cli.get_subcommands().front())());

@@ -162,26 +162,24 @@ LabSheet read_lab_sheet(const fs::path& root, const std::string& folder) {
     }
 }
 
-std::vector<LabSheet> read_lab_sheets(const fs::path& root) {
+std::vector<std::string> lab_folders(const fs::path& root) {
     std::vector<std::string> folders;
     std::error_code ignored; // a tree without labs has none
     for (const fs::directory_entry& entry : fs::directory_iterator(root / "labs", ignored))
         if (fs::exists(entry.path() / "lab.json"))
             folders.push_back(entry.path().filename().string());
     std::sort(folders.begin(), folders.end());
-    std::vector<LabSheet> sheets;
-    for (const std::string& folder : folders) sheets.push_back(read_lab_sheet(root, folder));
-    return sheets;
+    return folders;
 }
 
-const LabSheet& find_lab(const std::vector<LabSheet>& sheets, const std::string& name) {
-    std::string known;
-    for (const LabSheet& sheet : sheets) {
-        if (name == sheet.number || "0" + name == sheet.number || name == sheet.folder)
-            return sheet;
-        known += fmt::format("\n  {}  {}", sheet.folder, sheet.title);
+LabSheet find_lab(const fs::path& root, const std::string& name) {
+    const std::vector<std::string> folders = lab_folders(root);
+    for (const std::string& folder : folders) {
+        const std::string number = folder.substr(0, folder.find('_'));
+        if (name == number || "0" + name == number || name == folder)
+            return read_lab_sheet(root, folder);
     }
-    throw CourseError(fmt::format("there is no lab '{}'; the labs are{}", name, known));
+    throw CourseError(fmt::format("there is no lab '{}'; the labs are {}", name, listed(folders)));
 }
 
 } // namespace raylab

@@ -53,10 +53,11 @@ struct LabSheet {
 // every task has tests. Throws CourseError `labs/02_iterative/lab.json:line:column: ...`.
 LabSheet read_lab_sheet(const std::filesystem::path& root, const std::string& folder);
 
-// Every lab of the tree, labs/*/lab.json, in order.
-std::vector<LabSheet> read_lab_sheets(const std::filesystem::path& root);
+// The folders of the tree's labs, those with a lab.json, in order: "01_recursive", ...
+std::vector<std::string> lab_folders(const std::filesystem::path& root);
 
-// By number ("02", "2") or folder. Throws CourseError with the labs there are.
-const LabSheet& find_lab(const std::vector<LabSheet>& sheets, const std::string& name);
+// The sheet of one lab, by number ("02", "2") or folder. Throws CourseError with the labs there
+// are.
+LabSheet find_lab(const std::filesystem::path& root, const std::string& name);
 
 } // namespace raylab

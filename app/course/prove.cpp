@@ -1,0 +1,211 @@
+// raylab prove: the tests of the labs' tasks are tested. For every task: red on its stub, green on
+// the solution, green on every harmless variation.
+//
+// All states of a lab are built one after the other in one build folder, from a folder laid over
+// the tree (RAYLAB_OVERLAY): only what a state changes is compiled again.
+#include "app/course/commands.h"
+#include "common/cli/files.h"
+#include "common/cli/progress.h"
+#include "grader/course/process.h"
+#include "grader/course/stub_tree.h"
+#include "grader/course/variation.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace raylab::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One way for a lab to be, and what its tests must say.
+struct State {
+    std::string name;              // for people
+    std::set<std::string> stubbed; // tasks
+    const Variation* variation = nullptr;
+};
+
+struct TaskProof {
+    Task task;
+    bool stub_red = false, solution_green = false;
+    int variations = 0, variations_green = 0;
+    double check_seconds = 0; // build and tests of a lab in which this task was changed
+
+    bool holds() const { return stub_red && solution_green && variations_green == variations; }
+};
+
+struct LabProof {
+    LabSheet sheet;
+    std::vector<TaskProof> tasks;
+    std::vector<std::string> problems;
+};
+
+std::vector<State> states_of(const LabSheet& sheet, const std::vector<Variation>& variations) {
+    std::vector<State> states = {{"the solution", {}}};
+    for (const Task& task : sheet.tasks)
+        states.push_back({"task " + task.id + " stubbed", {task.id}});
+    const std::vector<std::string> all = sheet.task_ids();
+    states.push_back({"all tasks stubbed", {all.begin(), all.end()}});
+    for (const Variation& variation : variations)
+        states.push_back({"variation " + variation.name, {}, &variation});
+    return states;
+}
+
+void configure(const Tree& tree, const fs::path& overlay, const fs::path& build) {
+    if (fs::exists(build / "build.ninja")) return;
+    // Warnings about what a stub leaves unused are no errors; -O1 compiles faster, and the tests
+    // hold for any optimisation.
+    std::vector<std::string> command = {"cmake",
+                                        "-S",
+                                        tree.root.string(),
+                                        "-B",
+                                        build.string(),
+                                        "-G",
+                                        "Ninja",
+                                        "-DCMAKE_BUILD_TYPE=None",
+                                        "-DCMAKE_CXX_FLAGS=-O1",
+                                        "-DRAYLAB_STRICT=OFF",
+                                        "-DRAYLAB_TESTS=OFF",
+                                        "-DRAYLAB_OVERLAY=" + overlay.string()};
+    if (run_process({"ccache", "--version"}, tree.root, 10).succeeded())
+        command.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
+    const ProcessOutcome outcome = run_process(command, tree.root, 300);
+    if (!outcome.succeeded()) throw std::runtime_error("configuring failed:\n" + outcome.output);
+}
+
+// What is wrong with a verdict in a state, or "".
+std::string objection(const State& state, const TaskResult& result) {
+    const std::string& id = result.task.id;
+    if (state.stubbed.contains(id)) {
+        if (result.verdict != Verdict::not_implemented)
+            return fmt::format("is {} on its stub", name(result.verdict));
+        const bool own = result.stubs.front().task == id;
+        const bool placed = result.stubs.front().place.starts_with("labs/");
+        return own && placed ? "" : "does not name its own stub";
+    }
+    if (result.verdict == Verdict::pass) return "";
+    // A test that needs a stubbed task cannot tell, and says so.
+    if (result.verdict == Verdict::not_implemented &&
+        state.stubbed.contains(result.stubs.front().task))
+        return "";
+    return fmt::format("is {}{}{}", name(result.verdict), result.facts.empty() ? "" : ": ",
+                       result.facts.empty() ? "" : result.facts.front());
+}
+
+void take(LabProof& proof, const State& state, const CheckReport& report) {
+    if (!report.compiler_errors.empty()) {
+        proof.problems.push_back(state.name + " does not compile:\n" + report.compiler_errors);
+        return;
+    }
+    for (std::size_t i = 0; i < report.results.size(); ++i) {
+        TaskProof& task = proof.tasks[i];
+        const std::string wrong = objection(state, report.results[i]);
+        if (!wrong.empty())
+            proof.problems.push_back(
+                fmt::format("{}: task {} {}", state.name, task.task.id, wrong));
+        if (state.variation)
+            task.variations_green += wrong.empty();
+        else if (state.stubbed.empty())
+            task.solution_green = wrong.empty();
+        else if (state.stubbed == std::set{task.task.id}) {
+            task.stub_red = wrong.empty();
+            task.check_seconds = report.build_seconds + report.test_seconds;
+        }
+    }
+}
+
+LabProof prove_lab(const Tree& tree, const LabSheet& sheet) {
+    const LabSources lab = read_lab_sources(sheet);
+    const std::vector<Variation> variations = read_variations(sheet);
+    const fs::path overlay = tree.root / "build/proof/overlay";
+    const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};
+    LabProof proof{sheet, {}, {}};
+    for (const Task& task : sheet.tasks)
+        proof.tasks.push_back({task, false, false, static_cast<int>(variations.size()), 0, 0});
+
+    const std::vector<State> states = states_of(sheet, variations);
+    Progress progress("proving lab " + sheet.number, static_cast<int>(states.size()), "states", 1);
+    int done = 0;
+    for (const State& state : states) {
+        write_lab(lab, state.stubbed, overlay, [&](const std::string& file, std::string text) {
+            return state.variation && state.variation->file == file ? state.variation->apply(text)
+                                                                    : text;
+        });
+        configure(tree, overlay, proof_tree.build);
+        const LabSheet laid_over = read_lab_sheet(overlay, sheet.folder);
+        take(proof, state, check_tasks(proof_tree, laid_over, sheet.task_ids()));
+        progress.update(++done);
+    }
+    return proof;
+}
+
+std::string to_markdown(const std::vector<LabProof>& proofs) {
+    std::string text =
+        "# The tasks, and the proof of their tests\n\n"
+        "Written by `./raylab prove -o docs/tasks.md`, which builds every lab with each task\n"
+        "stubbed, with all stubbed, as its solution and in every variation of it that is right\n"
+        "too. Stub red: `raylab check` says NOT IMPLEMENTED with task, function and place, and no\n"
+        "other task is called wrong for it. Seconds: build and tests after a change to the task's\n"
+        "files, at -O1, as on the machine of the last run.\n";
+    for (const LabProof& proof : proofs) {
+        text += fmt::format("\n## {}: {}\n\n"
+                            "| task | title | points | minutes | stub | solution | variations | "
+                            "seconds |\n|---|---|--:|--:|---|---|---|--:|\n",
+                            proof.sheet.folder, proof.sheet.title);
+        for (const TaskProof& task : proof.tasks)
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} of {} green | {:.1f} |\n",
+                                task.task.id, task.task.title, task.task.points, task.task.minutes,
+                                task.stub_red ? "red" : "NOT RED",
+                                task.solution_green ? "green" : "NOT GREEN", task.variations_green,
+                                task.variations, task.check_seconds);
+        text += "\nVariations:\n\n";
+        for (const Variation& variation : read_variations(proof.sheet))
+            text += fmt::format("- {} (`{}`)\n", variation.title, variation.file);
+    }
+    return text;
+}
+
+struct ProveOptions {
+    std::vector<std::string> labs;
+    std::string output;
+};
+
+ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
+    std::vector<std::string> labs = options.labs;
+    if (labs.empty()) labs = lab_folders(tree.root);
+    std::vector<LabProof> proofs;
+    bool holds = true;
+    for (const std::string& lab : labs) {
+        proofs.push_back(prove_lab(tree, find_lab(tree.root, lab)));
+        const LabProof& proof = proofs.back();
+        for (const TaskProof& task : proof.tasks) {
+            holds = holds && task.holds();
+            fmt::print("{:5} {}  {}: stub {}, solution {}, {} of {} variations green, {:.1f} s\n",
+                       task.holds() ? "ok" : "WRONG", task.task.id, task.task.title,
+                       task.stub_red ? "red" : "NOT RED",
+                       task.solution_green ? "green" : "NOT GREEN", task.variations_green,
+                       task.variations, task.check_seconds);
+        }
+        for (const std::string& problem : proof.problems) fmt::print("      {}\n", problem);
+        holds = holds && proof.problems.empty();
+    }
+    if (!options.output.empty()) write_file(options.output, to_markdown(proofs));
+    return holds ? ExitCode::success : ExitCode::judged_failed;
+}
+
+} // namespace
+
+Run add_prove(CLI::App& app, const Tree& tree) {
+    auto options = std::make_shared<ProveOptions>();
+    app.description("Prove the tests of the tasks: red on each stub, green on the solution and on "
+                    "every harmless variation.");
+    app.add_option("LABS", options->labs, "labs (default: all)");
+    app.add_option("-o,--output", options->output, "write the table as Markdown");
+    app.footer("Examples:\n  raylab prove 02\n  raylab prove -o docs/tasks.md\n"
+               "Exit code 1: a test is green on a stub, or red on a right solution.");
+    return [options, tree] { return run_prove(tree, *options); };
+}
+
+} // namespace raylab::app
