@@ -88,9 +88,8 @@ json scene_json(const Scene& scene) {
     for (const Quad& quad : scene.quads) meshes[quad.tags.material].add(quad.v, 4);
     for (const Triangle& triangle : scene.triangles)
         meshes[triangle.tags.material].add(triangle.v, 3);
-    json result = {{"meshes", json::array()},
-                   {"spheres", json::array()},
-                   {"materials", json::object()}};
+    json result = {
+        {"meshes", json::array()}, {"spheres", json::array()}, {"materials", json::object()}};
     for (const auto& [material, mesh] : meshes) {
         used.insert(material);
         result["meshes"].push_back({{"material", scene.material_names[material]},

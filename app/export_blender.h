@@ -1,10 +1,11 @@
-// A scene as Blender's path tracer Cycles draws it, to compare speed and error with. One Python file that
-// Blender runs: `blender -b --python scene.py -- --spp 64 -o image.exr`. It holds the scene and the
-// code that builds it (export_blender.py).
+// A scene as Blender's path tracer Cycles draws it, to compare speed and error with. One Python
+// file that Blender runs: `blender -b --python scene.py -- --spp 64 -o image.exr`. It holds the
+// scene and the code that builds it (export_blender.py).
 //
-// Same camera, box pixel filter, same number of scattering events, linear EXR without denoiser, clamp
-// or light threshold. Where the two differ, and what is done about it:
-//   spheres    Cycles has triangles only: a sphere becomes 81,920 of them with smooth normals, whose
+// Same camera, box pixel filter, same number of scattering events, linear EXR without denoiser,
+// clamp or light threshold. Where the two differ, and what is done about it:
+//   spheres    Cycles has triangles only: a sphere becomes 81,920 of them with smooth normals,
+//   whose
 //              corners lie on it and whose faces lie 4e-5 of the radius inside.
 //   depth      max_depth surfaces are max_depth - 2 of Cycles' bounces: the first surface is no
 //              bounce, and the last is the light's.

@@ -1,10 +1,13 @@
-// Escaping, base64, and the packing of radiance into an opaque 8-bit picture.
+// Escaping, base64, the packing of radiance into an opaque 8-bit picture, and the page.
 #include "grader/report/html.h"
 
 #include "common/image/image_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace raylab {
 namespace {
@@ -26,6 +29,12 @@ std::string base64(std::string_view bytes) {
 }
 
 std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f)); }
+
+// Names the page's own script and style in its security policy; nobody else's will run.
+std::string random_nonce() {
+    std::random_device random;
+    return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
 
 } // namespace
 
@@ -81,6 +90,20 @@ std::string radiance_png(const Image& image) {
         exponent.fill(static_cast<std::uint8_t>(e + 128));
     }
     return "data:image/png;base64," + base64(encode_png(2 * image.width, image.height, pixels));
+}
+
+std::string html_page(const HtmlPage& page) {
+    return fmt::format(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src 'nonce-{0}'; script-src 'nonce-{0}'; base-uri 'none'; form-action 'none'\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n"
+        "<title>{1}</title>\n<style nonce=\"{0}\">\n{2}</style>\n</head>\n<body>\n{3}"
+        "<script type=\"application/json\" id=\"data\" nonce=\"{0}\">{4}</script>\n"
+        "<script nonce=\"{0}\">\n{5}</script>\n</body>\n</html>\n",
+        random_nonce(), escape_html(page.title), page.css, page.body, escape_script_json(page.data),
+        page.script);
 }
 
 } // namespace raylab

@@ -1,4 +1,5 @@
-// The little that is needed to write HTML: escaping, and pictures as data addresses.
+// The little that is needed to write HTML: escaping, pictures as data addresses, and a page around
+// them.
 #pragma once
 
 #include "common/image/image.h"
@@ -20,5 +21,15 @@ std::string escape_script_json(std::string json);
 // Opaque, since browsers change colours under transparency. The page's script decodes it, so that
 // exposure and pixel values work on radiance.
 std::string radiance_png(const Image& image);
+
+struct HtmlPage {
+    std::string title, css, body;
+    std::string data; // JSON, for the script to read from the element with the id "data"
+    std::string script;
+};
+
+// A page of one file without any external address, light or dark as the reader's system is. Its
+// security policy lets its own style and script run and nothing else: style attributes do not work.
+std::string html_page(const HtmlPage& page);
 
 } // namespace raylab

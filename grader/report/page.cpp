@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 namespace raylab {
 namespace {
@@ -214,12 +213,6 @@ std::string entry_html(const ReportEntry& e, Pictures& pictures, nlohmann::json&
                        lanes_chart(e.lanes_alive));
 }
 
-// Names the page's own script and style in its security policy; nobody else's will run.
-std::string random_nonce() {
-    std::random_device random;
-    return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
-}
-
 } // namespace
 
 std::string report_html(const Report& report) {
@@ -240,29 +233,21 @@ std::string report_html(const Report& report) {
     }
     if (!sections.empty()) sections += "</section>\n";
 
-    const std::string nonce = random_nonce();
     const nlohmann::json data{{"pictures", pictures.data()}, {"views", views}};
-    return fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-        "style-src 'nonce-{0}'; script-src 'nonce-{0}'; base-uri 'none'; form-action 'none'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>{1}</title>\n<style nonce=\"{0}\">\n{2}</style>\n</head>\n<body>\n"
-        "<header><h1>{1}</h1>\n<p class=\"summary\"><strong>{3} of {4}</strong> passed</p>\n"
-        "<p class=\"machine\">{5}</p>\n<p class=\"machine\"><code>{6}</code></p></header>\n"
+    const std::string body = fmt::format(
+        "<header><h1>{0}</h1>\n<p class=\"summary\"><strong>{1} of {2}</strong> passed</p>\n"
+        "<p class=\"machine\">{3}</p>\n<p class=\"machine\"><code>{4}</code></p></header>\n"
         "<noscript><p class=\"hint\">The pictures need JavaScript; all text is here without it.</p>"
         "</noscript>\n"
         "<table><thead><tr><th>Scene</th><th>Lab</th><th>Verdict</th>"
         "<th class=\"number\" title=\"of the image's mean luminance\">Mean error</th>"
         "<th class=\"number\" title=\"the reference's own noise is taken off\">relMSE</th>"
-        "<th class=\"number\">Time</th></tr></thead>\n<tbody>\n{7}</tbody></table>\n{8}"
-        "<script type=\"application/json\" id=\"data\" nonce=\"{0}\">{9}</script>\n"
-        "<script nonce=\"{0}\">\n{10}</script>\n</body>\n</html>\n",
-        nonce, escape_html(report.title), page_css, passed, report.entries.size(),
-        escape_html(report.machine), escape_html(report.command), rows, sections,
-        escape_script_json(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
-        page_js);
+        "<th class=\"number\">Time</th></tr></thead>\n<tbody>\n{5}</tbody></table>\n{6}",
+        escape_html(report.title), passed, report.entries.size(), escape_html(report.machine),
+        escape_html(report.command), rows, sections);
+    return html_page({report.title, page_css, body,
+                      data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                      page_js});
 }
 
 } // namespace raylab

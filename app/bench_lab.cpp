@@ -1,0 +1,37 @@
+#include "app/bench_lab.h"
+
+#include <chrono>
+#include <malloc.h>
+
+namespace raylab::app {
+
+namespace {
+
+double heap_bytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+} // namespace
+
+bench::Contestant lab_contestant(const Lab& lab, const Scene& scene,
+                                 const MachineSettings& machine) {
+    const auto render = [&lab, &scene, machine](int spp, std::uint32_t seed) {
+        Scene seeded = scene;
+        seeded.render.seed = seed;
+        bench::Drawn drawn;
+        const double bytes_before = heap_bytes();
+        const auto start = std::chrono::steady_clock::now();
+        const std::unique_ptr<Renderer> renderer = lab.make(seeded, machine);
+        for (int i = 0; i < spp; ++i) renderer->add_iteration();
+        drawn.image = develop(*renderer, seeded);
+        drawn.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        drawn.bytes = heap_bytes() - bytes_before;
+        drawn.ledger = renderer->ledger();
+        return drawn;
+    };
+    return {lab.number, lab.folder, render};
+}
+
+} // namespace raylab::app

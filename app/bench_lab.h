@@ -1,0 +1,15 @@
+// A lab as a contestant of the bench.
+#pragma once
+
+#include "app/labs.h"
+#include "grader/bench/contestant.h"
+
+namespace raylab::app {
+
+// Renders in this process. Its bytes are what the heap grew by: film, records, paths and the
+// renderer's copy of the scene, on the CPU machine also what is device memory on a GPU. The scene
+// must outlive the contestant.
+bench::Contestant lab_contestant(const Lab& lab, const Scene& scene,
+                                 const MachineSettings& machine);
+
+} // namespace raylab::app

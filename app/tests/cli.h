@@ -1,0 +1,82 @@
+// The program as a test meets it: run in a shell, in a folder of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace raylab::app {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string text; // standard output and standard error
+};
+
+// Runs `raylab ARGUMENTS` in a shell.
+inline Outcome raylab(const std::string& arguments) {
+    const std::string command = std::string(RAYLAB_PROGRAM) + " " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    Outcome outcome{-1, ""};
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+        outcome.text.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+class Cli : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "raylab-cli-XXXXXX").string();
+        folder = mkdtemp(pattern.data());
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::string in(const std::string& name) const { return (folder / name).string(); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(in(name)) << text;
+    }
+
+    // A legal scene in which one part can be replaced.
+    void write_scene(const std::string& name, const std::string& from = "",
+                     const std::string& to = "") const {
+        std::string text = R"({
+    "version": 1, "title": "t", "reason": "r",
+    "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40},
+    "film": {"width": 8, "height": 8},
+    "render": {"max_depth": 4, "spp": 1},
+    "materials": {"white": {"kind": "diffuse", "reflectance": [0.8, 0.8, 0.8]}},
+    "shapes": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white"}],
+    "lights": [{"kind": "environment", "radiance": [1, 1, 1]}]
+})";
+        if (!from.empty()) {
+            const std::size_t at = text.find(from);
+            ASSERT_NE(at, std::string::npos) << from;
+            text.replace(at, from.size(), to);
+        }
+        write(name, text);
+    }
+
+    void expect_refused(const std::string& arguments, const std::vector<std::string>& words) const {
+        const Outcome outcome = raylab(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
+        for (const std::string& word : words)
+            EXPECT_NE(outcome.text.find(word), std::string::npos)
+                << arguments << "\nshould say: " << word << "\nsaid: " << outcome.text;
+        EXPECT_FALSE(fs::exists(in("o.exr"))) << arguments;
+    }
+
+    fs::path folder;
+};
+
+} // namespace raylab::app

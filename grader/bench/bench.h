@@ -1,0 +1,38 @@
+// A whole bench, and what is written of it: bench.csv and bench.json for programs, a table for the
+// terminal, and bench.html (page.h).
+#pragma once
+
+#include "grader/bench/against.h"
+#include "grader/bench/evaluate.h"
+#include "grader/bench/machine.h"
+#include "grader/bench/traversal.h"
+
+#include <nlohmann/json.hpp>
+
+namespace raylab::bench {
+
+struct Bench {
+    Machine machine;
+    std::string command;
+    EvaluateOptions options;
+    int threads = 0; // of every contestant
+    std::vector<SceneResult> scenes;
+    std::vector<TraversalResult> traversal;
+    std::vector<std::string> notes; // peers that are absent, traversal that was not possible
+    std::optional<Comparison> against;
+};
+
+// Figures that are not known become null.
+nlohmann::ordered_json to_json(const Bench& bench);
+
+// One line for each scene and contestant, a header first; RFC 4180. Unknown figures are empty.
+std::string to_csv(const Bench& bench);
+
+// For people.
+std::string to_table(const SceneResult& scene);
+std::string to_table(const std::vector<TraversalResult>& results);
+
+// bench.csv, bench.json and bench.html in `folder`. Throws FileError.
+void write_bench(const Bench& bench, const std::string& folder);
+
+} // namespace raylab::bench

@@ -1,0 +1,211 @@
+#include "grader/bench/page.h"
+
+#include "grader/bench/page_parts.h"
+#include "grader/bench/text.h"
+#include "grader/report/html.h"
+#include "grader/report/page_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace raylab::bench {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr const char* unknown = "&ndash;";
+
+// Four digits are more than any of these figures can bear.
+std::string digits(double v) {
+    const double size = std::abs(v);
+    if (size != 0 && (size < 1e-3 || size >= 1e6)) {
+        const int power = static_cast<int>(std::floor(std::log10(size)));
+        return fmt::format("{:.2f}&#8239;&middot;&#8239;10<sup>{}</sup>", v / std::pow(10, power),
+                           power);
+    }
+    return fmt::format("{:.{}f}", v, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 4);
+}
+
+std::string text(const json& value) { return escape_html(value.get<std::string>()); }
+
+// The median over its interval.
+std::string measured(const json& m, const char* prefix = "") {
+    if (!m.is_object() || m.at("median").is_null()) return unknown;
+    return fmt::format("{}{}<span class=\"interval\">{} &ndash; {}</span>", prefix,
+                       digits(m.at("median")), digits(m.at("low")), digits(m.at("high")));
+}
+
+std::string cell(const std::string& content) { return "<td class=\"number\">" + content + "</td>"; }
+
+std::string bias(const json& b) {
+    if (b.at("relative").is_null()) return unknown;
+    return fmt::format("{:+.2f}&#8239;%<span class=\"interval\">&plusmn; {:.2f}&#8239;%</span>",
+                       100 * b.at("relative").get<double>(),
+                       100 * b.at("half_width_95").get<double>());
+}
+
+std::string millions(double v) { return v > 0 ? fmt::format("{:.2f}&#8239;M", v * 1e-6) : unknown; }
+
+std::string head(const std::vector<std::pair<const char*, const char*>>& columns) {
+    std::string cells;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        cells += fmt::format("<th{} title=\"{}\">{}</th>", i > 0 ? " class=\"number\"" : "",
+                             columns[i].second, columns[i].first);
+    return "<thead><tr>" + cells + "</tr></thead>";
+}
+
+std::string row_html(const json& row, std::size_t colour) {
+    const std::string name = fmt::format(
+        "<td><span class=\"key c{}\"></span><strong>{}</strong>{}<span "
+        "class=\"interval\">{}</span></td>",
+        colour, text(row.at("name")), row.value("baseline", false) ? " <em>baseline</em>" : "",
+        text(row.at("title")));
+    if (row.contains("failure"))
+        return fmt::format("<tr>{}<td colspan=\"8\" class=\"hint\">{}</td></tr>\n", name,
+                           text(row.at("failure")));
+    std::string html =
+        "<tr>" + name + cell(measured(row.at("ms_per_spp"))) +
+        cell(measured(row.at("start_up_seconds"))) + cell(measured(row.at("rel_mse"))) +
+        cell(measured(row.at("efficiency"))) +
+        cell(measured(row.at("efficiency_ratio"), "&times;&#8239;")) +
+        cell(measured(row.at("seconds_to_target"))) + cell(bias(row.at("bias"))) +
+        cell(millions(row.at("rays_per_second"))) +
+        cell(row.at("bytes_per_path") > 0 ? digits(row.at("bytes_per_path")) : unknown) + "</tr>\n";
+    html +=
+        fmt::format("<tr class=\"verdict\"><td colspan=\"10\" class=\"{}\">{}</td></tr>\n",
+                    row.at("agrees").get<bool>() ? "agrees" : "differs", text(row.at("verdict")));
+    for (const json& remark : row.at("remarks"))
+        html += fmt::format(
+            "<tr class=\"verdict\"><td colspan=\"10\" class=\"hint\">{}</td></tr>\n", text(remark));
+    return html;
+}
+
+std::string plot(const char* kind, std::size_t scene, const std::string& caption) {
+    return fmt::format("<figure class=\"plot\" data-plot=\"{}\" data-scene=\"{}\">"
+                       "<figcaption>{}</figcaption></figure>\n",
+                       kind, scene, caption);
+}
+
+std::string scene_html(const json& scene, std::size_t index, const json& bench) {
+    std::string rows;
+    bool has_bounces = false;
+    for (std::size_t i = 0; i < scene.at("rows").size(); ++i) {
+        const json& row = scene.at("rows")[i];
+        rows += row_html(row, i % 8);
+        has_bounces = has_bounces || !row.value("bounces", json::array()).empty();
+    }
+    const std::string target = fmt::format("{:g}", bench.at("target_rel_mse").get<double>());
+    std::string html = fmt::format("<section><h2>{}</h2>\n<p class=\"reason\">{} &times; {}, at "
+                                   "most {} surfaces a path. {}</p>\n"
+                                   "<div class=\"plots\">\n",
+                                   text(scene.at("title")), scene.at("width").get<int>(),
+                                   scene.at("height").get<int>(), scene.at("max_depth").get<int>(),
+                                   text(scene.at("truth")));
+    html +=
+        plot("error", index,
+             "Error against time, start-up taken out. Left and low is good. Dashed: error falls as "
+             "1/N. Rings: where the line meets relMSE " +
+                 target + ".");
+    html += plot("efficiency", index,
+                 "Efficiency, 1 / (MSE &times; seconds), with its interval. Longer is better.");
+    if (has_bounces)
+        html += plot(
+            "bounces", index,
+            "Line: paths still alive at each bounce, of those that began. Bars: the share of a "
+            "GPU's lanes that work for them; what is missing are the wasted cycles.");
+    return html + "</div>\n<div class=\"wide\"><table class=\"bench\">" +
+           head({{"Contestant", ""},
+                 {"ms / sample", "slope of time over samples a pixel"},
+                 {"Start-up, s", "time at 0 samples"},
+                 {"relMSE", "at the most samples, the reference's own noise taken off"},
+                 {"Efficiency", "1 / (MSE seconds), start-up taken out"},
+                 {"Ratio", "efficiency over the baseline's, round by round"},
+                 {"s to target", "seconds to the target error, from relMSE = C / n"},
+                 {"Bias", "of the mean luminance, 95 % interval"},
+                 {"Rays / s", "camera, scattered and shadow rays"},
+                 {"Bytes / path", "memory the renderer holds, its copy of the scene included"}}) +
+           "<tbody>" + rows + "</tbody></table></div></section>\n";
+}
+
+std::string traversal_html(const json& all) {
+    if (all.empty()) return "";
+    std::string rows;
+    for (const json& t : all)
+        for (const json& row : t.at("rows"))
+            rows += fmt::format(
+                "<tr><td>{}<span class=\"interval\">{} "
+                "triangles{}</span></td><td>{}</td>{}{}{}{}</tr>\n",
+                text(t.at("scene")), t.at("triangles").get<int>(),
+                t.at("left_out").get<std::string>().empty() ? ""
+                                                            : " without " + text(t.at("left_out")),
+                text(row.at("rays")), cell(measured(row.at("raylab_mrays"))),
+                cell(measured(row.at("embree_mrays"))),
+                cell(row.at("ratio").is_null() ? "hits differ" : measured(row.at("ratio"))),
+                cell(fmt::format("{} of {}", row.at("differing_hits").get<int>(),
+                                 row.at("count").get<int>())));
+    return "<section><h2>Closest hits: brute force and Embree</h2>\n<p class=\"reason\">One "
+           "thread, the "
+           "same rays, every triangle tested against rtcIntersect1 on a tree.</p>\n<table>"
+           "<thead><tr><th>Scene</th><th>Rays</th><th class=\"number\">raylab, Mrays / s</th>"
+           "<th class=\"number\">Embree, Mrays / s</th><th class=\"number\">Ratio</th>"
+           "<th class=\"number\">Differing hits</th></tr></thead><tbody>" +
+           rows + "</tbody></table></section>\n";
+}
+
+std::string against_html(const json& against) {
+    std::string rows;
+    for (const json& c : against.at("changes"))
+        rows += fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>{}</td>{}<td class=\"{}\">{}</td><td>{}</td></tr>\n",
+            text(c.at("scene")), text(c.at("contestant")), text(c.at("quantity")),
+            cell(fmt::format("{:.3f}<span class=\"interval\">{:.3f} &ndash; {:.3f}</span>",
+                             c.at("ratio").get<double>(), c.at("low").get<double>(),
+                             c.at("high").get<double>())),
+            text(c.at("verdict")), text(c.at("verdict")), text(c.at("formed")));
+    std::string notes;
+    for (const json& note : against.at("notes"))
+        notes += "<p class=\"hint\">" + text(note) + "</p>\n";
+    return fmt::format(
+        "<section><h2>Against commit {}</h2>\n<p class=\"reason\">This run over that of "
+        "<code>{}</code>; "
+        "above 1 is better. Noise: the interval holds 1.</p>\n<table><thead><tr><th>Scene</th>"
+        "<th>Contestant</th><th>Quantity</th><th class=\"number\">Ratio</th><th>Verdict</th>"
+        "<th>Formed from</th></tr></thead><tbody>{}</tbody></table>\n{}</section>\n",
+        text(against.at("commit")), text(against.at("file")), rows, notes);
+}
+
+} // namespace
+
+std::string page_html(const json& bench, const std::string& machine) {
+    std::string notes, sections;
+    for (const json& note : bench.at("notes"))
+        notes += "<p class=\"hint\">" + text(note) + "</p>\n";
+    for (std::size_t i = 0; i < bench.at("scenes").size(); ++i)
+        sections += scene_html(bench.at("scenes")[i], i, bench);
+    const std::string body = fmt::format(
+        "<header><h1>Speed against error</h1>\n<p class=\"summary\">{} rounds, {} threads, up to "
+        "{} "
+        "samples a pixel; ratios to <strong>{}</strong> in the same round</p>\n"
+        "<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}</header>\n{}{}{}"
+        "<section><h2>How this was measured</h2>\n<p class=\"reason\">Contestants take turns, "
+        "every run "
+        "with a seed of its own. Figures are medians over the rounds; an interval holds the true "
+        "median "
+        "with {:.1f}&#8239;% probability, whatever disturbed the clock. Start-up and time a sample "
+        "come "
+        "apart by the line through the times at {} samples a pixel. A contestant whose image does "
+        "not "
+        "agree with the truth gets no ratio.</p></section>\n",
+        bench.at("rounds").get<int>(), bench.at("threads").get<int>(),
+        bench.at("spp").back().get<int>(), text(bench.at("baseline")), escape_html(machine),
+        text(bench.at("command")), notes, sections, traversal_html(bench.at("traversal")),
+        bench.contains("against") ? against_html(bench.at("against")) : "",
+        100 * bench.at("interval_coverage").get<double>(),
+        joined(bench.at("spp").get<std::vector<int>>(), " and "));
+    return html_page({"raylab bench", std::string(raylab::page_css) + page_css, body,
+                      bench.dump(-1, ' ', false, json::error_handler_t::replace), page_js});
+}
+
+} // namespace raylab::bench

@@ -1,0 +1,178 @@
+"use strict";
+// Draws the plots of a bench in SVG. Colours are classes (c0 to c7), so that light and dark are the style's.
+const bench = JSON.parse(document.getElementById("data").textContent);
+
+function add(parent, tag, attributes = {}, text) {
+    const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+    if (text !== undefined) node.textContent = text;
+    parent.append(node);
+    return node;
+}
+
+function canvas(figure, width, height, label) {
+    const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    svg.setAttribute("role", "img");
+    svg.setAttribute("aria-label", label);
+    figure.prepend(svg);
+    return svg;
+}
+
+const colour = i => "c" + i % 8;
+const short = v => v === 0 ? "0" : Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3 ? v.toExponential(0)
+    : String(Number(v.toPrecision(3)));
+
+// A logarithmic scale from [low, high] to [from, to], and its ticks: decades, and 2 and 5 where there is room.
+function logScale(low, high, from, to) {
+    const a = Math.log10(low), b = Math.log10(high);
+    const scale = v => from + (Math.log10(v) - a) / (b - a) * (to - from);
+    const steps = b - a > 3 ? [1] : [1, 2, 5], ticks = [];
+    for (let e = Math.floor(a); e <= Math.ceil(b); e++)
+        for (const s of steps) {
+            const v = s * 10 ** e;
+            if (v >= low * 0.999 && v <= high * 1.001) ticks.push(v);
+        }
+    return { scale, ticks, low, high };
+}
+
+// Moves labels apart so that they stand at least `gap` from each other.
+function spread(labels, gap, low, high) {
+    labels.sort((a, b) => a.y - b.y);
+    for (let i = 1; i < labels.length; i++) labels[i].y = Math.max(labels[i].y, labels[i - 1].y + gap);
+    const over = labels.length ? labels[labels.length - 1].y - high : 0;
+    if (over > 0) for (const label of labels) label.y = Math.max(low, label.y - over);
+    return labels;
+}
+
+// Rows that have figures, with their place in the table (and so their colour).
+const rows = scene => scene.rows.map((row, i) => ({ ...row, i })).filter(row => !row.failure);
+
+function plotError(figure, scene) {
+    const drawn = rows(scene).filter(row => row.agrees && row.points.every(p => p.seconds > 0 && p.rel_mse > 0));
+    if (!drawn.length) return figure.remove();
+    const target = bench.target_rel_mse;
+    const ends = drawn.map(row => row.seconds_to_target.median).filter(t => t > 0);
+    const times = [...drawn.flatMap(row => row.points.map(p => p.seconds)), ...ends];
+    const errors = [...drawn.flatMap(row => row.points.map(p => p.rel_mse)), target];
+    const width = 540, height = 400, box = { left: 52, right: 424, top: 30, bottom: 352 };
+    const svg = canvas(figure, width, height, "relMSE against seconds, both logarithmic");
+    const x = logScale(Math.min(...times) / 1.5, Math.max(...times) * 1.5, box.left, box.right);
+    const y = logScale(Math.min(...errors) / 1.6, Math.max(...errors) * 1.6, box.bottom, box.top);
+    for (const t of x.ticks) {
+        add(svg, "line", { class: "grid", x1: x.scale(t), x2: x.scale(t), y1: box.top, y2: box.bottom });
+        add(svg, "text", { x: x.scale(t), y: box.bottom + 18, "text-anchor": "middle" }, short(t));
+    }
+    for (const e of y.ticks) {
+        add(svg, "line", { class: "grid", x1: box.left, x2: box.right, y1: y.scale(e), y2: y.scale(e) });
+        add(svg, "text", { x: box.left - 8, y: y.scale(e) + 4, "text-anchor": "end" }, short(e));
+    }
+    add(svg, "text", { class: "title", x: box.left, y: 14 }, "relMSE");
+    add(svg, "text", { x: box.right, y: box.bottom + 38, "text-anchor": "end" }, "seconds, start-up taken out");
+
+    // 1 / N through every second decade of the upper edge and the left one.
+    const id = "clip" + figure.dataset.scene, clip = add(add(svg, "defs"), "clipPath", { id });
+    add(clip, "rect", { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top });
+    const guides = add(svg, "g", { "clip-path": `url(#${id})` });
+    const products = [Math.log10(x.low * y.low), Math.log10(x.high * y.high)];
+    for (let c = Math.ceil(products[0]); c <= products[1]; c++)
+        add(guides, "line", { class: "guide", x1: x.scale(x.low), y1: y.scale(10 ** c / x.low),
+                              x2: x.scale(x.high), y2: y.scale(10 ** c / x.high) });
+    add(svg, "line", { class: "target", x1: box.left, x2: box.right, y1: y.scale(target), y2: y.scale(target) });
+    add(svg, "text", { x: box.left + 6, y: y.scale(target) - 6 }, "target " + short(target));
+
+    const labels = [];
+    for (const row of drawn) {
+        const c = colour(row.i), last = row.points[row.points.length - 1];
+        const points = row.points.map(p => `${x.scale(p.seconds)},${y.scale(p.rel_mse)}`).join(" ");
+        const end = row.seconds_to_target.median;
+        let tip = { x: x.scale(last.seconds), y: y.scale(last.rel_mse) };
+        if (end > 0) {
+            add(svg, "line", { class: `beyond stroke ${c}`, x1: tip.x, y1: tip.y, x2: x.scale(end), y2: y.scale(target) });
+            const ring = add(svg, "circle", { class: `hollow stroke ${c}`, cx: x.scale(end), cy: y.scale(target), r: 4.5 });
+            add(ring, "title", {}, `${row.name}: ${short(end)} s to relMSE ${target}`);
+        }
+        add(svg, "polyline", { class: `line stroke ${c}`, points });
+        for (const p of row.points)
+            add(add(svg, "circle", { class: `fill ${c}`, cx: x.scale(p.seconds), cy: y.scale(p.rel_mse), r: 4 }),
+                "title", {}, `${row.name}, ${p.spp} spp: ${short(p.seconds)} s, relMSE ${short(p.rel_mse)}`);
+        labels.push({ x: tip.x, y: tip.y, from: tip, c, text: row.name });
+    }
+    for (const label of spread(labels, 16, box.top + 8, box.bottom)) {
+        add(svg, "line", { class: `stroke ${label.c}`, opacity: 0.35, x1: label.from.x + 6, y1: label.from.y,
+                           x2: box.right + 6, y2: label.y });
+        add(svg, "text", { class: `name ${label.c}`, x: box.right + 10, y: label.y + 4 }, label.text);
+    }
+}
+
+function plotEfficiency(figure, scene) {
+    const drawn = rows(scene).filter(row => row.efficiency.median > 0)
+        .sort((a, b) => b.agrees - a.agrees || b.efficiency.median - a.efficiency.median);
+    if (!drawn.length) return figure.remove();
+    const width = 540, step = Math.min(58, 330 / drawn.length), left = 112, right = 400, top = 34;
+    const svg = canvas(figure, width, Math.max(400, top + step * drawn.length + 20), "efficiency of each contestant");
+    add(svg, "text", { class: "title", x: left, y: 14 }, "efficiency, 1 / (MSE s)");
+    const high = Math.max(...drawn.filter(row => row.agrees).map(row => row.efficiency.high), 1e-30);
+    const x = v => left + Math.min(1, v / high) * (right - left);
+    drawn.forEach((row, k) => {
+        const y = top + k * step, bar = Math.min(26, step * 0.55), middle = y + bar / 2, c = colour(row.i);
+        add(svg, "text", { class: `name ${c}`, x: left - 10, y: middle + 4, "text-anchor": "end" }, row.name);
+        if (!row.agrees) {
+            add(svg, "rect", { class: `differs-bar ${c}`, x: left, y, width: 90, height: bar, rx: 2 });
+            add(svg, "text", { x: left + 100, y: middle + 4 }, "images differ: no ratio");
+            return;
+        }
+        const { median, low, high: top_of } = row.efficiency;
+        add(add(svg, "rect", { class: `fill ${c}`, x: left, y, width: Math.max(1, x(median) - left), height: bar, rx: 2 }),
+            "title", {}, `${row.title}: ${short(median)} (${short(low)} to ${short(top_of)})`);
+        add(svg, "line", { class: "whisker", x1: x(low), x2: x(top_of), y1: middle, y2: middle });
+        for (const v of [low, top_of])
+            add(svg, "line", { class: "whisker", x1: x(v), x2: x(v), y1: middle - 5, y2: middle + 5 });
+        const ratio = row.efficiency_ratio && !row.baseline ? `  ×${short(row.efficiency_ratio.median)}` : "";
+        add(svg, "text", { class: "value", x: x(top_of) + 10, y: middle + 4 },
+            short(median) + (row.baseline ? "  baseline" : ratio));
+    });
+    add(svg, "line", { class: "axis", x1: left, x2: left, y1: top - 8, y2: top + step * drawn.length });
+}
+
+function plotBounces(figure, scene) {
+    const drawn = rows(scene).filter(row => row.bounces.length);
+    if (!drawn.length) return figure.remove();
+    const longest = Math.min(64, Math.max(...drawn.map(row => row.bounces.length)));
+    const width = 1120, height = 250, box = { left: 58, right: 1030, top: 30, bottom: 205 };
+    const svg = canvas(figure, width, height, "paths and lanes alive at each bounce");
+    const column = (box.right - box.left) / longest, y = v => box.bottom - v * (box.bottom - box.top);
+    add(svg, "text", { class: "title", x: box.left, y: 14 }, "alive");
+    for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+        add(svg, "line", { class: "grid", x1: box.left, x2: box.right, y1: y(share), y2: y(share) });
+        add(svg, "text", { x: box.left - 8, y: y(share) + 4, "text-anchor": "end" }, 100 * share + " %");
+    }
+    const every = Math.ceil(longest / 24);
+    for (let b = 0; b < longest; b += every)
+        add(svg, "text", { x: box.left + (b + 0.5) * column, y: box.bottom + 18, "text-anchor": "middle" }, b);
+    add(svg, "text", { x: box.right, y: box.bottom + 36, "text-anchor": "end" }, "bounce (0: from the camera)");
+    const with_lanes = drawn.filter(row => row.bounces.some(b => b.lanes !== null));
+    const bar = Math.min(44, 0.66 * column / Math.max(1, with_lanes.length));
+    with_lanes.forEach((row, k) => row.bounces.slice(0, longest).forEach((bounce, b) => {
+        if (bounce.lanes === null) return;
+        const x = box.left + (b + 0.5) * column + (k - with_lanes.length / 2) * bar;
+        add(add(svg, "rect", { class: `lane ${colour(row.i)}`, x: x + 1, y: y(bounce.lanes), width: Math.max(1, bar - 2),
+                               height: box.bottom - y(bounce.lanes) }),
+            "title", {}, `${row.name}, bounce ${b}: ${(100 * bounce.lanes).toFixed(1)} % of lanes at work`);
+        if (bar > 30 && bounce.lanes > 0.15) add(svg, "text", { x: x + bar / 2, y: box.bottom - 7, "text-anchor": "middle" }, Math.round(100 * bounce.lanes));
+    }));
+    const labels = drawn.map(row => {
+        const points = row.bounces.slice(0, longest).map((p, b) => [box.left + (b + 0.5) * column, y(p.rays)]);
+        add(svg, "polyline", { class: `line stroke ${colour(row.i)}`, points: points.join(" ") });
+        points.forEach(([px, py], b) => add(add(svg, "circle", { class: `fill ${colour(row.i)}`, cx: px, cy: py, r: 3.5 }),
+            "title", {}, `${row.name}, bounce ${b}: ${(100 * row.bounces[b].rays).toFixed(1)} % of paths alive`));
+        return { y: points[points.length - 1][1], c: colour(row.i), text: row.name };
+    });
+    for (const label of spread(labels, 16, box.top + 8, box.bottom))
+        add(svg, "text", { class: `name ${label.c}`, x: box.right + 8, y: label.y + 4 }, label.text);
+}
+
+const plots = { error: plotError, efficiency: plotEfficiency, bounces: plotBounces };
+for (const figure of document.querySelectorAll("figure.plot"))
+    plots[figure.dataset.plot](figure, bench.scenes[Number(figure.dataset.scene)]);
+document.body.dataset.ready = "true";

@@ -1,0 +1,9 @@
+// page.css and page.js as text, put into the program by the build (page_parts.cpp.in).
+#pragma once
+
+namespace raylab::bench {
+
+extern const char* const page_css; // what grader/report's style lacks
+extern const char* const page_js;
+
+} // namespace raylab::bench
