@@ -93,7 +93,9 @@ TEST(Ratio, CallsNoiseAChangeNoMoreOftenThanStated) {
 }
 
 TEST(Ratio, FindsAChangeThroughADisturbedRound) {
-    const Ratio ratio = ratio_of({1.31, 1.30, 1.29, 1.32, 0.65}, {1.00, 1.01, 0.99, 1.00, 0.5});
+    const std::vector<double> after = {1.31, 1.30, 1.29, 1.32, 0.65, 1.28, 1.30, 1.33, 1.31};
+    const std::vector<double> before = {1.00, 1.01, 0.99, 1.00, 0.50, 1.02, 0.98, 1.00, 1.01};
+    const Ratio ratio = ratio_of(after, before);
     EXPECT_NEAR(ratio.median, 1.3, 0.02);
     EXPECT_TRUE(ratio.is_change());
     EXPECT_FALSE(ratio_of({1.02, 0.99, 1.0}, {1.0, 1.01, 0.98}).is_change());
