@@ -24,6 +24,7 @@ inline void set_film_size(Camera& camera, int width, int height) {
     camera.half_width = camera.half_height * static_cast<float>(width) / static_cast<float>(height);
 }
 
+//[ withhold 01
 // The ray through pixel (x, y), (0, 0) at the top left. u_film: position within the pixel, in
 // [0,1)^2 (jittered anti-aliasing, box filter). u_lens: position on the lens, in [0,1)^2.
 HD Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens) {
@@ -38,5 +39,6 @@ HD Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens
     const Vec3 o = camera.position + lens.x * camera.right + lens.y * camera.up;
     return {o, normalize(focus - o)};
 }
+//]
 
 } // namespace raylab

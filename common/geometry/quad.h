@@ -20,6 +20,7 @@ HD bool is_in_first_half(const Quad& quad, DVec3 p) {
     return dot(cross(DVec3(quad.normal), diagonal), p - DVec3(quad.v[0])) < 0;
 }
 
+//[ withhold 01
 // t in (0, ray.t_max) at which the ray meets the quad, from either side. Edges belong to both
 // neighbours.
 HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
@@ -33,5 +34,16 @@ HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
     if (!(in_first | in_second)) return false;
     return intersect(exact_plane(quad, in_first), ray.ray, t);
 }
+//| namespace lab01 {
+//| bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float& t); // task 1.2
+//| }
+//|
+//| // A quad is two triangles that share a diagonal, and yours finds them.
+//| HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
+//|     const Triangle first = {{quad.v[0], quad.v[1], quad.v[2]}, quad.normal, -1, quad.tags};
+//|     const Triangle second = {{quad.v[0], quad.v[2], quad.v[3]}, quad.normal, -1, quad.tags};
+//|     return lab01::hit_triangle(first, ray, t) || lab01::hit_triangle(second, ray, t);
+//| }
+//]
 
 } // namespace raylab

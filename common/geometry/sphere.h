@@ -10,6 +10,7 @@
 
 namespace raylab {
 
+//[ withhold 01
 // The smallest t in (0, ray.t_max) at which the ray meets the sphere, from outside or inside.
 HD bool intersect(const Sphere& sphere, const Ray& ray, float& t) {
     // a t^2 - 2 b t + c = 0 with f from the centre to the origin; c < 0 inside.
@@ -32,5 +33,6 @@ HD bool intersect(const Sphere& sphere, const Ray& ray, float& t) {
     t = near_t > 0 ? near_t : far_t;
     return t > 0 && t < ray.t_max;
 }
+//]
 
 } // namespace raylab

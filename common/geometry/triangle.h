@@ -16,6 +16,7 @@ HD ExactPlane exact_plane(const Triangle& triangle) {
     return plane_through(triangle.v[0], triangle.v[1], triangle.v[2]);
 }
 
+//[ withhold 01
 // t in (0, ray.t_max) at which the ray meets the triangle, from either side. Edges and corners
 // belong to every triangle that has them. A triangle without area, or with a NaN in it, is never
 // hit.
@@ -26,5 +27,6 @@ HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
     if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
     return intersect(exact_plane(triangle), ray.ray, t);
 }
+//]
 
 } // namespace raylab

@@ -6,6 +6,7 @@
 
 namespace raylab {
 
+//[ withhold 01
 // wo, wi above the surface. Choosing wi with density cos/pi cancels f cos to the albedo.
 HD BsdfValue evaluate_diffuse(Vec3 albedo, Vec3 wi) {
     return {albedo * (inv_pi * wi.z), cosine_hemisphere_pdf(wi.z)};
@@ -15,5 +16,14 @@ HD BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) {
     const Vec3 wi = sample_cosine_hemisphere(u);
     return {wi, albedo, cosine_hemisphere_pdf(wi.z), false, wi.z > 0};
 }
+//| // What other materials take from a diffuse surface is yours.
+//| namespace lab01 {
+//| BsdfValue diffuse_value(Vec3 albedo, Vec3 wi);   // task 1.3
+//| BsdfSample scatter_diffuse(Vec3 albedo, Vec2 u); // task 1.5
+//| }
+//|
+//| HD BsdfValue evaluate_diffuse(Vec3 albedo, Vec3 wi) { return lab01::diffuse_value(albedo, wi); }
+//| HD BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) { return lab01::scatter_diffuse(albedo, u); }
+//]
 
 } // namespace raylab

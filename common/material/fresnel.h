@@ -18,6 +18,7 @@ HD float refracted_cos2(float cos_i, float eta) {
     return static_cast<float>((n * n - 1) + c * c);
 }
 
+//[ withhold 01
 // 1 under total internal reflection. Error below 1e-6.
 HD float fresnel_dielectric(float cos_i, float eta) {
     cos_i = clamp(cos_i, 0, 1);
@@ -28,6 +29,15 @@ HD float fresnel_dielectric(float cos_i, float eta) {
     const float parallel = (eta * eta * cos_i - s) / (eta * eta * cos_i + s);
     return (sqr(parallel) + sqr(perpendicular)) / 2;
 }
+//| namespace lab01 {
+//| float reflected_part(float cos_i, float eta); // task 1.6
+//| }
+//|
+//| // 1 under total internal reflection: yours.
+//| HD float fresnel_dielectric(float cos_i, float eta) {
+//|     return lab01::reflected_part(clamp(cos_i, 0, 1), eta);
+//| }
+//]
 
 // r0 at normal incidence, 1 at grazing (Schlick 1994).
 HD float schlick(float r0, float cosine) {

@@ -25,6 +25,7 @@ HD FresnelSplit fresnel_split(const Material& m, Vec3 wo) {
             through.total ? 1.0f : dielectric_reflectance(m, fabsf(wo.z), eta)};
 }
 
+//[ withhold 01
 // Reflects with probability F, refracts with 1 - F: F and 1 - F cancel out of the weight.
 HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) {
     const FresnelSplit split = fresnel_split(m, wo);
@@ -32,5 +33,14 @@ HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) 
     return {reflects ? split.reflected : split.refracted, tint, 0, true,
             reflects || split.reflectance < 1};
 }
+//| namespace lab01 {
+//| BsdfSample scatter_glass(const Material& material, Vec3 tint, Vec3 wo, float u_lobe); // task 1.6
+//| }
+//|
+//| // Smooth glass is yours.
+//| HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) {
+//|     return lab01::scatter_glass(m, tint, wo, u_lobe);
+//| }
+//]
 
 } // namespace raylab

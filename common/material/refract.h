@@ -2,6 +2,9 @@
 // the surface. PBR4e 9.3.1 (the law of specular reflection), 9.3.3 (refraction and Snell's law).
 #pragma once
 
+//[ withhold 01
+//| #include "common/math/frame.h"
+//]
 #include "common/math/numbers.h"
 #include "common/math/vec.h"
 
@@ -14,6 +17,7 @@ struct Refraction {
     bool total; // total internal reflection: no light is refracted, wi has no meaning
 };
 
+//[ withhold 01
 // Requires dot(wo, n) >= 0. eta: index of refraction on the far side over that on wo's.
 //
 // Snell's law shrinks the part of wo along the surface by eta; the part along n makes up the unit
@@ -24,5 +28,18 @@ HD Refraction refract(Vec3 wo, Vec3 n, float eta) {
     const float sin2_t = dot(t, t);
     return {t - safe_sqrt(1 - sin2_t) * n, sin2_t >= 1};
 }
+//| namespace lab01 {
+//| Vec3 refracted_direction(Vec3 wo, float eta); // task 1.6
+//| }
+//|
+//| // Requires dot(wo, n) >= 0. eta: index of refraction on the far side over that on wo's. Yours,
+//| // around the normal n.
+//| HD Refraction refract(Vec3 wo, Vec3 n, float eta) {
+//|     const Frame frame = Frame::around(n);
+//|     const Vec3 wi = frame.to_world(lab01::refracted_direction(frame.to_local(wo), eta));
+//|     const float cosine = dot(wo, n);
+//|     return {wi, (1 - cosine) * (1 + cosine) >= eta * eta};
+//| }
+//]
 
 } // namespace raylab

@@ -26,6 +26,7 @@ HD Vec2 sample_disk(Vec2 u) {
     return Vec2(p.y, p.x);
 }
 
+//[ withhold 01
 // Upper hemisphere, density cos(theta)/pi: a disk's uniform points, lifted to the sphere (Malley).
 HD Vec3 sample_cosine_hemisphere(Vec2 u) {
     const Vec2 d = sample_disk(u);
@@ -34,6 +35,13 @@ HD Vec3 sample_cosine_hemisphere(Vec2 u) {
         fmaxf(fabsf(a.x), fabsf(a.y)); // |d| without rounding, and below 1: z stays positive
     return Vec3(d, sqrtf((1 - r) * (1 + r)));
 }
+//| namespace lab01 {
+//| Vec3 sample_cosine(Vec2 u); // task 1.5
+//| }
+//|
+//| // Upper hemisphere, density cos(theta)/pi: yours.
+//| HD Vec3 sample_cosine_hemisphere(Vec2 u) { return lab01::sample_cosine(u); }
+//]
 HD float cosine_hemisphere_pdf(float cos_theta) { return fmaxf(cos_theta, 0.0f) * inv_pi; }
 
 // All directions alike, density 1/(4 pi): the height of a uniform point on a sphere is uniform.
