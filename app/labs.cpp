@@ -1,8 +1,15 @@
-// The labs, as the program knows them: the one place where they meet.
+// The labs, as the program knows them: the one place where they meet. A tree that is handed out has
+// one lab alone.
 #include "app/labs.h"
+#if __has_include("labs/01_recursive/renderer.h")
 #include "labs/01_recursive/renderer.h"
+#endif
+#if __has_include("labs/02_iterative/renderer.h")
 #include "labs/02_iterative/renderer.h"
+#endif
+#if __has_include("labs/03_wavefront/renderer.h")
 #include "labs/03_wavefront/renderer.h"
+#endif
 
 #include <fmt/format.h>
 
@@ -10,11 +17,17 @@ namespace raylab::app {
 
 const std::vector<Lab>& labs() {
     static const std::vector<Lab> all = {
+#if __has_include("labs/01_recursive/renderer.h")
         {"01", "01_recursive", "the recursive tracer, plain C++", lab01::make_renderer},
+#endif
+#if __has_include("labs/02_iterative/renderer.h")
         {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel",
          lab02::make_renderer},
+#endif
+#if __has_include("labs/03_wavefront/renderer.h")
         {"03", "03_wavefront", "the wavefront: a pool of rays, one launch a stage and bounce",
          lab03::make_renderer, true},
+#endif
     };
     return all;
 }

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     };
     add("check", app::add_check);
     add("prove", app::add_prove);
+    add("release", app::add_release);
     try {
         cli.parse(argc, argv);
         return static_cast<int>(runs.at(cli.get_subcommands().front())());

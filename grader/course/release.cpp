@@ -1,0 +1,177 @@
+#include "grader/course/release.h"
+
+#include "common/cli/files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// What every tree has, apart from its lab.
+const std::vector<std::string> given = {
+    ".clang-format", ".gitignore",   "CMakeLists.txt", "CMakePresets.json",
+    "LICENSE",       "packages.txt", "raylab",         "app",
+    "cmake",         "common",       "grader",         "scenes"};
+
+// The project's own tests know the answers, and generated files are nobody's source.
+bool is_given(const fs::path& file) {
+    for (const fs::path& part : file)
+        if (part == "tests" || part == "fuzz" || part == "__pycache__") return false;
+    return true;
+}
+
+std::vector<fs::path> given_files(const fs::path& root) {
+    std::vector<fs::path> files;
+    for (const std::string& name : given) {
+        if (fs::is_regular_file(root / name)) files.emplace_back(name);
+        if (!fs::is_directory(root / name)) continue;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / name)) {
+            const fs::path file = entry.path().lexically_relative(root);
+            if (entry.is_regular_file() && is_given(file)) files.push_back(file);
+        }
+    }
+    return files;
+}
+
+// Students build with warnings that stop nothing, and without the tests that are not here.
+std::string student_presets(const std::string& text) {
+    nlohmann::ordered_json presets = nlohmann::ordered_json::parse(text);
+    for (auto& preset : presets.at("configurePresets"))
+        if (preset.at("name") == "base")
+            preset["cacheVariables"] = {{"RAYLAB_STRICT", "OFF"}, {"RAYLAB_TESTS", "OFF"}};
+    return presets.dump(4) + "\n";
+}
+
+std::string student_readme(const LabSheet& sheet) {
+    std::string scenes;
+    for (const std::string& scene : sheet.scenes)
+        scenes += fmt::format("    ./raylab render {} {} -o {}.png\n", sheet.number, scene, scene);
+    return fmt::format(
+        "# raylab, lab {}: {}\n\n"
+        "The handout is [labs/{}/README.md](labs/{}/README.md). Fill in the tasks'\n"
+        "functions in that folder; each says where it is missing:\n\n"
+        "    ./raylab check {}              # every task: NOT IMPLEMENTED, WRONG or "
+        "PASS\n"
+        "    ./raylab check {} {} --watch   # one task, again at every save\n"
+        "{}"
+        "    ./raylab demo                 # everything rendered and judged\n\n"
+        "The script installs what is missing (it asks once), configures and builds.\n",
+        sheet.number, sheet.title, sheet.folder, sheet.folder, sheet.number, sheet.number,
+        sheet.tasks.front().id, scenes);
+}
+
+// What the solution says and the stub beside it does not.
+void collect(std::set<std::string>& lines, const Region& region) {
+    std::set<std::string> said;
+    for (const std::string& line : region.stub) said.insert(squeezed(line));
+    for (const std::string& line : region.solution)
+        if (const std::string code = squeezed(line); !code.empty() && !said.contains(code))
+            lines.insert(code);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// The text of a file of common as students of the lab get it; `stays` if it is not handed out.
+struct Given {
+    std::string text;
+    bool stays = false;
+};
+
+Given without_answers(const LabSheet& sheet, const std::string& file,
+                      std::set<std::string>& lines) {
+    const MarkedSource source = parse_markers(read_file((sheet.root / file).string()), file);
+    const bool listed = contains(sheet.withhold, file);
+    bool has_region = false;
+    for (const Region* region : source.regions()) {
+        if (region->kind != Region::Kind::withhold)
+            throw CourseError(fmt::format("{}:{}: only a lab has tasks", file, region->line));
+        if (region->id != sheet.number) continue;
+        has_region = true;
+        collect(lines, *region);
+        if (!listed)
+            throw CourseError(fmt::format("{}:{}: lab.json of {} does not list this file under "
+                                          "\"withhold\": add it there",
+                                          file, region->line, sheet.folder));
+    }
+    if (listed && !has_region) return {"", true};
+    return {student_source(source, [&](const Region& r) { return r.id == sheet.number; })};
+}
+
+} // namespace
+
+std::string squeezed(const std::string& line) {
+    // A name for a field, or for what one call returns.
+    static const std::regex plain(R"(const[\w:<>&]+=[\w.:<>]+(\([\w,.]*\))?;)");
+    constexpr std::size_t shortest = 28;
+    std::string code = line.substr(0, line.find("//"));
+    std::erase_if(code, [](unsigned char c) { return std::isspace(c); });
+    return code.size() < shortest || std::regex_match(code, plain) ? "" : code;
+}
+
+ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
+    const LabSheet& sheet = lab.sheet;
+    ReleasedTree tree;
+    for (const std::string& file : sheet.withhold)
+        if (!fs::is_regular_file(sheet.root / file))
+            throw CourseError(fmt::format("labs/{}/lab.json: \"withhold\" names {}, which is not "
+                                          "there: correct the name",
+                                          sheet.folder, file));
+    for (const fs::path& file : given_files(sheet.root)) {
+        const std::string ending = file.extension().string();
+        Given out;
+        if (ending == ".h" || ending == ".cpp")
+            out = without_answers(sheet, file.string(), tree.solution_lines);
+        else
+            out.text = read_file((sheet.root / file).string());
+        if (out.stays) continue;
+        if (file == "CMakePresets.json") out.text = student_presets(out.text);
+        write_if_changed(target / file, out.text);
+        fs::permissions(target / file, fs::status(sheet.root / file).permissions());
+        ++tree.files;
+    }
+    for (const MarkedSource& source : lab.files)
+        for (const Region* region : source.regions()) collect(tree.solution_lines, *region);
+    const std::vector<std::string> ids = sheet.task_ids();
+    write_lab(lab, {ids.begin(), ids.end()}, target);
+    write_file((target / "README.md").string(), student_readme(sheet));
+    return tree;
+}
+
+std::vector<std::string> leaks(const fs::path& tree, const std::set<std::string>& solution_lines) {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree)) {
+        const std::string ending = entry.path().extension().string();
+        const bool text = ending == ".h" || ending == ".cpp" || ending == ".cu" ||
+                          ending == ".md" || ending == ".json" || ending == ".in";
+        if (!entry.is_regular_file() || !text) continue;
+        int number = 0;
+        for (const std::string& line : lines_of(read_file(entry.path().string()))) {
+            ++number;
+            const std::string code = squeezed(line);
+            if (!code.empty() && solution_lines.contains(code))
+                found.push_back(fmt::format("{}:{}: {}",
+                                            entry.path().lexically_relative(tree).string(), number,
+                                            line.substr(line.find_first_not_of(' '))));
+        }
+    }
+    return found;
+}
+
+} // namespace raylab
