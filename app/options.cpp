@@ -62,6 +62,9 @@ void add_scene_options(CLI::App& app, SceneChanges& changes) {
     add_choice(app, "--direct-light", changes.direct_light, strategies,
                "how light sources are found", group);
     app.add_option("--roulette", changes.roulette, "Russian roulette: true or false")->group(group);
+    app.add_option("--jitter", changes.jitter,
+                   "camera rays through random points of their pixel: true or false")
+        ->group(group);
 }
 
 void add_machine_options(CLI::App& app, MachineSettings& machine) {
@@ -110,12 +113,16 @@ void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
     app.add_flag("--shared-geometry", wavefront.shared_geometry,
                  "read shapes from shared memory, if they fit")
         ->group(group);
+    app.add_flag("--first-bounce-cache", wavefront.first_bounce_cache,
+                 "trace camera rays once, for all iterations")
+        ->group(group);
 }
 
 void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront) {
     if (lab.has_pool || wavefront == WavefrontSettings{}) return;
     throw UsageError(fmt::format("lab {} has no pool of rays: --compact, --scan, --sort, --pool, "
-                                 "--shuffle, --memory-budget and --shared-geometry are for lab 03",
+                                 "--shuffle, --memory-budget, --shared-geometry and "
+                                 "--first-bounce-cache are for lab 03",
                                  lab.number));
 }
 

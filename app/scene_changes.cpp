@@ -20,6 +20,7 @@ Scene load_changed_scene(const std::string& name, const SceneChanges& changes) {
     change(render.seed, changes.seed);
     change(render.max_depth, changes.depth);
     change(render.roulette, changes.roulette);
+    change(render.jitter, changes.jitter);
     change(render.integrator, changes.integrator);
     change(render.sampler, changes.sampler);
     change(render.direct_light, changes.direct_light);

@@ -14,7 +14,7 @@ struct SceneChanges {
     std::optional<Integrator> integrator;
     std::optional<SamplerKind> sampler;
     std::optional<DirectLight> direct_light;
-    std::optional<bool> roulette;
+    std::optional<bool> roulette, jitter;
 };
 
 // Loads a scene by name or path and applies the changes; the result is validated again. Throws

@@ -43,6 +43,11 @@ constexpr std::uint32_t direction = 2;     // the BSDF's direction
 constexpr std::uint32_t lobe_roulette = 3; // .x which lobe, .y Russian roulette
 } // namespace dimension
 
+// Where in its pixel a camera ray goes through, in [0, 1)^2: anywhere, or always the middle.
+HD Vec2 film_point(const RenderSettings& settings, const Sampler& sampler) {
+    return settings.jitter ? sampler.get_2d(dimension::film) : Vec2(0.5f);
+}
+
 HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t decision) {
     return dimension::first_bounce + dimension::per_bounce * bounce + decision;
 }

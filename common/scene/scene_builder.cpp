@@ -111,6 +111,7 @@ void SceneBuilder::read_render(const Node& root, const Node& film) {
                                                      {"light", DirectLight::light},
                                                      {"bsdf", DirectLight::bsdf}});
         if (const auto n = render->find("roulette")) s.roulette = n->boolean();
+        if (const auto n = render->find("jitter")) s.jitter = n->boolean();
     }
     if (const auto problem = problem_with(s, scene_.camera.width, scene_.camera.height)) {
         const bool of_film = problem->key == "width" || problem->key == "height";

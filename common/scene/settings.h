@@ -24,6 +24,7 @@ struct RenderSettings {
     SamplerKind sampler = SamplerKind::sobol;
     DirectLight direct_light = DirectLight::mis;
     bool roulette = true; // Russian roulette from the fourth surface on
+    bool jitter = true;   // camera rays go through random points of their pixel; else its middle
 };
 
 constexpr int max_film_side = 16384; // pixels; so a film has at most 2^28 of them

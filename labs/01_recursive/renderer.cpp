@@ -20,7 +20,8 @@ namespace {
 
 constexpr int tile_size = 16; // pixels a side: enough work to share out, small enough to balance
 
-// Room for one call of trace_path, ample also under sanitizers: paths of 10,000 surfaces are tested.
+// Room for one call of trace_path, ample also under sanitizers: paths of 10,000 surfaces are
+// tested.
 constexpr std::size_t stack_bytes_per_bounce = 8 << 10;
 constexpr std::size_t stack_bytes_base = 1 << 20;
 
@@ -79,7 +80,7 @@ class RecursiveRenderer final : public Renderer {
         const RenderSettings& settings = scene_.render;
         const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
                                  static_cast<std::uint32_t>(ledger_.samples)};
-        const Ray ray = camera_ray(view_.camera, x, y, sampler.get_2d(dimension::film),
+        const Ray ray = camera_ray(view_.camera, x, y, film_point(settings, sampler),
                                    sampler.get_2d(dimension::lens));
         const Path path = {view_, settings, sampler, record};
         return settings.integrator == Integrator::path

@@ -10,7 +10,7 @@ namespace raylab::lab03 {
 
 struct MemoryNeeds {
     std::size_t scene_bytes; // all arrays of the scene
-    std::size_t film_bytes;  // sums and path records, a pixel each
+    std::size_t film_bytes;  // a pixel each: sums, path record, first hit
     std::size_t slot_bytes;  // for each slot of the pool: path, branches, lists, scan
 };
 

@@ -122,6 +122,7 @@ class WavefrontRenderer final : public Renderer {
     std::array<DeviceArray<int>, material_kinds> kind_queues_;
     DeviceArray<int> feelers_;
     DeviceArray<Counters> counters_;
+    DeviceArray<Hit> first_hits_; // a pixel each, or none
 
     DeviceArray<FilmPixel> film_;
     DeviceArray<PathRecord> records_;
@@ -144,7 +145,8 @@ WavefrontRenderer::WavefrontRenderer(const Scene& scene, const MachineSettings& 
       most_bounces_(scene.render.max_depth), results_bounces_(scene.render.max_depth),
       pool_(pool_paths, branches(scene.render)), wave_(1), live_(pool_paths), spare_(pool_paths),
       compaction_(settings_.scan, pool_paths, machine.block_size), feelers_(pool_paths),
-      counters_(1), film_(pixels_), records_(pixels_), shadow_rays_(shards) {
+      counters_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0), film_(pixels_),
+      records_(pixels_), shadow_rays_(shards) {
     if (scene.render.integrator == Integrator::whitted) {
         most_bounces_ = 1 << scene.render.max_depth; // every node of a tree
         results_bounces_ = 64;
@@ -160,11 +162,12 @@ WavefrontRenderer::WavefrontRenderer(const Scene& scene, const MachineSettings& 
 }
 
 void WavefrontRenderer::write_wave() {
-    Wave wave{scene_.view(), host_scene_.render, samples_, pool_.view(), {}};
+    Wave wave{scene_.view(), host_scene_.render, samples_, pool_.view(), {}, {}};
     for (int kind = 0; kind < material_kinds; ++kind)
         wave.queues.kind[kind] = kind_queues_[kind].data();
     wave.queues.feelers = feelers_.data();
     wave.queues.counters = counters_.data();
+    wave.first_bounce = {first_hits_.data(), samples_ > 0};
     wave_.assign({&wave, 1});
 }
 
@@ -282,6 +285,10 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
             "in global memory for this scene",
             scene.name, geometry_bytes(host), shared_memory_limit));
 
+    if (settings.first_bounce_cache)
+        if (const auto why_not = no_first_bounce_cache(scene))
+            throw SettingsError("a first-bounce cache would be wrong here: " + *why_not);
+
     cudaDeviceProp device{};
     check(cudaGetDeviceProperties(&device, 0), "cudaGetDeviceProperties");
     const std::int64_t budget = settings.memory_budget > 0
@@ -289,7 +296,9 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                                     : static_cast<std::int64_t>(device.totalGlobalMem);
     const int pixels = scene.camera.width * scene.camera.height;
     const int wanted = std::min(settings.pool, pixels);
-    const MemoryNeeds needs = {scene_bytes(host), pixels * (sizeof(FilmPixel) + sizeof(PathRecord)),
+    const std::size_t cache = settings.first_bounce_cache ? sizeof(Hit) : 0;
+    const MemoryNeeds needs = {scene_bytes(host),
+                               pixels * (sizeof(FilmPixel) + sizeof(PathRecord) + cache),
                                slot_bytes(scene, settings, wanted)};
     return std::make_unique<WavefrontRenderer>(scene, machine,
                                                pool_that_fits(budget, needs, wanted));

@@ -13,7 +13,7 @@ namespace raylab::lab03 {
 
 enum class Stage : int { generate, intersect, sort, shade, shadow, compact, accumulate };
 inline constexpr std::array stage_names = {"generate", "intersect", "sort",      "shade",
-                                    "shadow",   "compact",   "accumulate"};
+                                           "shadow",   "compact",   "accumulate"};
 
 class StageClock {
   public:

@@ -32,7 +32,8 @@ HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
     //[ task 3.1
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);
-    const Hit hit = intersect<F>(scene, ray);
+    const Hit hit = cached_hit(wave.first_bounce, pool.bounce[slot], pool.pixel[slot],
+                               [&] { return intersect<F>(scene, ray); });
     record_hit(pool.record[slot], hit.id);
     pool.hit[slot] = hit;
     if (hit.found()) {

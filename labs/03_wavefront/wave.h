@@ -3,6 +3,7 @@
 
 #include "common/sampling/sampler.h"
 #include "common/scene/view.h"
+#include "labs/03_wavefront/first_bounce_cache.h"
 #include "labs/03_wavefront/pool.h"
 #include "labs/03_wavefront/queues.h"
 
@@ -14,6 +15,7 @@ struct Wave {
     std::uint32_t sample; // index of the sample that this iteration adds to every pixel
     PoolView pool;
     Queues queues;
+    FirstBounceCache first_bounce;
 };
 
 // Random numbers belong to a pixel and a sample. A slot's number, or a thread's, must not enter:

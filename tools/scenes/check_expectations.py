@@ -167,6 +167,12 @@ def polygon_light(scene):
              film.mean(lambda x, y: area_irradiance(film.on_floor(x, y), -0.5, 0.5, -0.5, 0.5, 1, 1), n=3))]
 
 
+def first_bounce(scene):
+    light = scene["shapes"][1]["vertices"]
+    p = scene["camera"]["look_at"]
+    return [(lambert_irradiance(p, light, 1), area_irradiance(p, -0.5, 0.5, -0.5, 0.5, 1, 1))]
+
+
 def form_factor(scene):
     root = math.sqrt(2)
     closed = 2 / PI * (math.log(math.sqrt(4 / 3)) + 2 * root * math.atan(1 / root) - 2 * math.atan(1))
@@ -253,7 +259,7 @@ SCENES = {
     "white_furnace": furnace, "furnace_box": furnace, "furnace_deep": furnace,
     "point_in_sphere": point_in_sphere, "chord_furnace": chord_furnace,
     "glass_furnace": glass_furnace, "glass_pane": glass_pane, "soft_shadow": soft_shadow,
-    "polygon_light": polygon_light, "form_factor": form_factor, "sphere_light": sphere_light,
+    "polygon_light": polygon_light, "first_bounce": first_bounce, "form_factor": form_factor, "sphere_light": sphere_light,
     "thin_lens": thin_lens, "ggx_furnace": ggx_furnace,
 }
 

@@ -33,7 +33,7 @@ TEST(Settings, AreCheckedAtTheirLimits) {
 TEST(Settings, AreReadAndHaveDefaults) {
     const Scene scene = load(with(good_scene, "\"max_depth\": 8",
                                   R"("max_depth": 3, "seed": 4294967295, "sampler": "independent",
-        "direct_light": "bsdf", "roulette": false, "integrator": "whitted")"));
+        "direct_light": "bsdf", "roulette": false, "integrator": "whitted", "jitter": false)"));
     EXPECT_EQ(scene.render.max_depth, 3);
     EXPECT_EQ(scene.render.spp, 4);
     EXPECT_EQ(scene.render.seed, 4294967295u);
@@ -41,6 +41,7 @@ TEST(Settings, AreReadAndHaveDefaults) {
     EXPECT_EQ(scene.render.direct_light, DirectLight::bsdf);
     EXPECT_EQ(scene.render.integrator, Integrator::whitted);
     EXPECT_FALSE(scene.render.roulette);
+    EXPECT_FALSE(scene.render.jitter);
     const RenderSettings none =
         load(with(good_scene, "  \"render\": {\"spp\": 4, \"max_depth\": 8},\n", "")).render;
     EXPECT_EQ(none.spp, RenderSettings{}.spp);

@@ -1,16 +1,23 @@
-// Every scan against the definition, at lengths around every size that a scan is built of.
+// Task 3.2: every scan against the definition, at lengths around every size a scan is built of.
 #include "common/device/device_array.h"
+#include "common/task/facts.h"
 #include "labs/03_wavefront/scan.h"
 
-#include <gtest/gtest.h>
-
+#include <cstdlib>
 #include <numeric>
 
 namespace raylab::lab03 {
 
 namespace {
 
-class Scan : public testing::TestWithParam<ScanKind> {};
+using namespace task;
+
+constexpr const char* names[] = {"serial", "naive", "efficient", "warp", "library"};
+
+class Task3_2 : public testing::TestWithParam<ScanKind> {
+  protected:
+    std::string name() const { return names[static_cast<int>(GetParam())]; }
+};
 
 // Numbers that look random, and sums that wrap.
 std::vector<std::uint32_t> numbers(std::int64_t n) {
@@ -25,48 +32,57 @@ std::vector<std::uint32_t> scanned(ScanKind kind, const std::vector<std::uint32_
     const DeviceArray<std::uint32_t> in(values);
     DeviceArray<std::uint32_t> out(values.size()), workspace(scan_workspace(kind, n));
     scan_function(kind)(in.data(), out.data(), n, workspace.data());
-    EXPECT_EQ(in.to_host(), values) << "the scan changed its input";
+    expect(in.to_host() == values, "the scan changed its input");
     return out.to_host();
 }
 
-void expect_right(ScanKind kind, std::int64_t n) {
+bool expect_right(const std::string& name, ScanKind kind, std::int64_t n) {
     const std::vector<std::uint32_t> values = numbers(n);
     std::vector<std::uint32_t> expected(values.size());
     std::exclusive_scan(values.begin(), values.end(), expected.begin(), std::uint32_t{0});
     const std::vector<std::uint32_t> result = scanned(kind, values);
     const auto [wrong, right] = std::mismatch(result.begin(), result.end(), expected.begin());
-    ASSERT_TRUE(wrong == result.end())
-        << "of " << n << " numbers, out[" << wrong - result.begin() << "] should be " << *right
-        << " but is " << *wrong;
+    if (wrong == result.end()) return true;
+    const auto i = wrong - result.begin();
+    return expect_equal(fmt::format("scan_{} of {} numbers: out[{}]", name, n, i), *wrong, *right,
+                        i == 0      ? "the scan is exclusive: nothing comes before the first"
+                        : i < 32    ? "a round or a level is missing"
+                        : i < 1024  ? "a barrier is missing, or the sums of the warps or of the "
+                                      "tree's halves"
+                        : i < 65536 ? "the sums of the tiles before"
+                                    : "the sums of the tiles are many tiles themselves");
 }
 
-TEST_P(Scan, IsTheSumOfAllBeforeAtAnyLength) {
+TEST_P(Task3_2, IsTheSumOfAllBeforeAtAnyLength) {
     for (const std::int64_t n :
          {0, 1, 2, 3, 31, 32, 33, 127, 128, 129, 1023, 1024, 1025, 5000, 1 << 17})
-        expect_right(GetParam(), n);
+        if (!expect_right(name(), GetParam(), n)) return;
 }
 
-// Two and three levels of tiles.
-TEST_P(Scan, HoldsAroundAMillionAndAtTenMillion) {
-    for (const std::int64_t n : {(1 << 20) - 1, 1 << 20, (1 << 20) + 1}) {
-        expect_right(GetParam(), n);
-        if (std::getenv("RAYLAB_LONG") == nullptr) break;
-    }
-    if (std::getenv("RAYLAB_LONG") != nullptr) expect_right(GetParam(), 10'000'000);
+// Three levels of tiles.
+TEST_P(Task3_2, HoldsAroundAMillion) {
+    for (const std::int64_t n : {(1 << 20) - 1, 1 << 20, (1 << 20) + 1})
+        if (!expect_right(name(), GetParam(), n)) return;
+}
+
+TEST_P(Task3_2, HoldsAtTenMillion) {
+    if (std::getenv("RAYLAB_LONG") == nullptr) GTEST_SKIP() << "long: RAYLAB_LONG=1";
+    expect_right(name(), GetParam(), 10'000'000);
 }
 
 // What compaction scans: zeros and ones.
-TEST_P(Scan, CountsFlags) {
+TEST_P(Task3_2, CountsFlags) {
     const std::vector<std::uint32_t> none(1500, 0), all(1500, 1);
-    EXPECT_EQ(scanned(GetParam(), none), none);
     std::vector<std::uint32_t> index(1500);
     std::iota(index.begin(), index.end(), 0u);
-    EXPECT_EQ(scanned(GetParam(), all), index);
+    expect(scanned(GetParam(), none) == none, "the scan of zeros is not zero");
+    expect(scanned(GetParam(), all) == index, "the scan of ones is not 0, 1, 2, ...");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Scan,
+INSTANTIATE_TEST_SUITE_P(All, Task3_2,
                          testing::Values(ScanKind::serial, ScanKind::naive, ScanKind::efficient,
-                                         ScanKind::warp, ScanKind::library));
+                                         ScanKind::warp, ScanKind::library),
+                         [](const auto& info) { return names[static_cast<int>(info.param)]; });
 
 // No grid here has 2^33 threads, but its indices are right.
 static_assert(grid_index(0x7fffffffu, 1024, 1023) == (std::int64_t{1} << 41) - 1);

@@ -1,0 +1,56 @@
+// "First bounce cache, second bounce thrash": what the camera rays hit, kept from the first
+// iteration to all that follow.
+//
+// Every iteration traces a camera ray through every pixel. Where it is the same ray each time, it
+// hits the same point, and one search in eight or so is saved. Where it is not, the cache is wrong:
+// a jittered ray would shade a point that it does not see, and edges stay jagged for ever; a lens
+// would be as sharp as a pinhole. Then it is refused. That is nearly always: anti-aliasing is free
+// in a path tracer, and costs the cache.
+#pragma once
+
+#include "common/geometry/ray.h"
+#include "common/scene/scene.h"
+#include "common/task/not_implemented.h"
+
+#include <optional>
+#include <string>
+
+namespace raylab::lab03 {
+
+// Why camera rays differ from one iteration to the next, and what could be changed; nothing if they
+// are always the same.
+inline std::optional<std::string> no_first_bounce_cache(const Scene& scene) {
+    //[ task 3.4
+    if (scene.camera.lens_radius > 0)
+        return "the camera has a lens: each sample starts elsewhere on it (lens_radius 0 is a "
+               "pinhole)";
+    if (scene.render.jitter)
+        return "camera rays are jittered within their pixel: each sample starts in another "
+               "direction (--jitter false sends all through the middle, without anti-aliasing)";
+    return std::nullopt;
+    //| not_implemented("3.4", "no_first_bounce_cache()");
+    //| return "task 3.4 is not implemented";
+    //]
+}
+
+// A hit for each pixel, and whether it is known yet.
+struct FirstBounceCache {
+    Hit* hits = nullptr; // null: no cache
+    bool filled = false; // by the iterations before
+};
+
+// The closest hit of the pixel's ray: `search()` finds it, unless it is a camera ray (bounce 0)
+// whose hit is known.
+template <class Search>
+HD Hit cached_hit(const FirstBounceCache& cache, int bounce, std::uint32_t pixel,
+                  const Search& search) {
+    if (cache.hits == nullptr || bounce > 0) return search();
+    //[ task 3.4
+    if (!cache.filled) cache.hits[pixel] = search();
+    return cache.hits[pixel];
+    //| not_implemented("3.4", "cached_hit()");
+    //| return search();
+    //]
+}
+
+} // namespace raylab::lab03

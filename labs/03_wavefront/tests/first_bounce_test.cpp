@@ -1,0 +1,90 @@
+// Task 3.4: the first-bounce cache changes no bit where it is right, and is refused where it is
+// not.
+#include "common/task/facts.h"
+#include "common/task/small_scene.h"
+#include "labs/03_wavefront/first_bounce_cache.h"
+#include "labs/03_wavefront/renderer.h"
+
+#include <cstring>
+
+namespace raylab::lab03 {
+
+namespace {
+
+using namespace task;
+
+Scene ball(bool jitter, const std::string& lens = "") {
+    return small_scene(
+        {.materials = R"("grey": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
+         .shapes = R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey"})",
+         .lights = R"({"kind": "environment", "radiance": [1, 2, 3]})",
+         .render = fmt::format(R"("max_depth": 4, "spp": 1, "jitter": {})", jitter),
+         .camera =
+             R"("position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40)" +
+             lens});
+}
+
+Film render(const Scene& scene, bool cache) {
+    const std::unique_ptr<Renderer> renderer = make_renderer(
+        scene, {.threads = 1, .wavefront = {.pool = 100, .first_bounce_cache = cache}});
+    for (int i = 0; i < 3; ++i) renderer->add_iteration();
+    return renderer->film();
+}
+
+bool same_bits(const Film& a, const Film& b) {
+    return std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
+}
+
+TEST(Task3_4, TheCacheChangesNoBitWhereCameraRaysStayTheSame) {
+    const Scene scene = ball(false);
+    const auto why_not = no_first_bounce_cache(scene);
+    if (!expect(!why_not, "a pinhole without jitter is refused: " + why_not.value_or(""))) return;
+    expect(same_bits(render(scene, true), render(scene, false)),
+           "with the cache the image is another; the likely cause: hits of later bounces are kept "
+           "too, or the cache is keyed by the slot and not by the pixel");
+}
+
+TEST(Task3_4, ItIsFilledOnceAndThenUsed) {
+    Hit memory[2];
+    int searches = 0;
+    const auto search = [&] {
+        ++searches;
+        return Hit{static_cast<float>(searches), searches, Shape::sphere, 0};
+    };
+    cached_hit({memory, false}, 0, 1, search);
+    const Hit again = cached_hit({memory, true}, 0, 1, search);
+    expect_equal("searches for the same camera ray in two iterations", searches, 1,
+                 "the second iteration takes cache.hits[pixel]");
+    expect_equal("the shape it hit", again.id, 1, "cache.hits[pixel] keeps the whole hit");
+    cached_hit({memory, true}, 1, 1, search);
+    expect_equal("searches after one more ray of bounce 1", searches, 2,
+                 "only camera rays are the same each time");
+}
+
+TEST(Task3_4, JitterAndLensesAreRefusedWithAReason) {
+    const auto jitter = no_first_bounce_cache(ball(true));
+    const auto lens =
+        no_first_bounce_cache(ball(false, R"(, "lens_radius": 0.1, "focus_distance": 5)"));
+    expect(jitter && jitter->find("jitter") != std::string::npos,
+           "jittered camera rays differ each time, but the cache is not refused for it");
+    expect(lens && lens->find("lens") != std::string::npos,
+           "rays through a lens differ each time, but the cache is not refused for it");
+    EXPECT_THROW(render(ball(true), true), SettingsError);
+}
+
+// Why it is refused: with the middle of each pixel for all samples an edge stays jagged.
+TEST(Task3_4, WithoutJitterEdgesStayJagged) {
+    const auto between = [](const Film& film) {
+        int count = 0;
+        for (const FilmPixel& pixel : film.pixels) {
+            const double mean = pixel.sum[0] / pixel.samples;
+            count += mean > 0.75 && mean < 0.97;
+        }
+        return count;
+    };
+    EXPECT_GT(between(render(ball(true), false)), between(render(ball(false), false)) + 4);
+}
+
+} // namespace
+
+} // namespace raylab::lab03
