@@ -1,0 +1,89 @@
+// What students get has no line of a solution, wherever it might stand; variations do apply.
+#include "common/cli/files.h"
+#include "grader/course/release.h"
+#include "grader/course/tests/temporary_tree.h"
+#include "grader/course/variation.h"
+
+namespace raylab {
+
+namespace {
+
+class Release : public TemporaryTree {
+  protected:
+    void SetUp() override {
+        TemporaryTree::SetUp();
+        write("labs/07_tiny/a.cpp", "//[ task 7.1\nint one = first_factor * second_factor;\n"
+                                    "//| int one = 0;\n//]\n"
+                                    "//[ task 7.2\nint two = one + first_factor / 3 + 17;\n//]\n");
+        write("common/whole.h", "int answer_as_a_whole();\n");
+        write("common/part.h", "//[ withhold 07\nint answer = a_quarter * another_quarter;\n"
+                               "//| int answer = yours();\n//]\nint rest;\n"
+                               "//[ withhold 08\nint eight;\n//]\n");
+        write("common/given.h", "int given;\n");
+        write("common/tests/answer_test.cpp", "the answer\n");
+        write("app/tests/answer_test.cpp", "the answer\n");
+        write("labs/08_other/a.cpp", "int other;\n");
+        write("CMakePresets.json",
+              R"({"configurePresets": [{"name": "base"}, {"name": "cpu", "inherits": "base"}]})");
+        write_sheet(R"("withhold": ["common/whole.h", "common/part.h"],)");
+    }
+    void write_sheet(const std::string& withhold) {
+        write_changed("labs/07_tiny/lab.json", sheet, "\"tasks\":", withhold + "\"tasks\":");
+    }
+    ReleasedTree release() const {
+        return write_student_tree(read_lab_sources(read_lab_sheet(root, "07_tiny")), root / "out");
+    }
+    bool has(const std::string& file) const { return std::filesystem::exists(root / "out" / file); }
+};
+
+TEST_F(Release, LeavesOutAnswersTestsAndOtherLabs) {
+    const ReleasedTree tree = release();
+    EXPECT_TRUE(has("common/given.h") && has("labs/07_tiny/tests/a_test.cpp") && has("README.md"));
+    EXPECT_FALSE(has("common/whole.h"));
+    EXPECT_FALSE(has("common/tests/answer_test.cpp") || has("app/tests/answer_test.cpp"));
+    EXPECT_FALSE(has("labs/07_tiny/variations/v.json") || has("labs/08_other/a.cpp"));
+    EXPECT_EQ(read_file((root / "out/common/part.h").string()),
+              "int answer = yours();\nint rest;\nint eight;\n");
+    EXPECT_NE(read_file((root / "out/CMakePresets.json").string()).find("RAYLAB_STRICT"),
+              std::string::npos);
+    EXPECT_TRUE(leaks(root / "out", tree.solution_lines).empty());
+}
+
+TEST_F(Release, ALineOfASolutionIsFoundWhereverItStandsAndHoweverItIsSpaced) {
+    write("common/given.h", "int given;\n   int two=one + first_factor/3+17; // copied\n");
+    write("scenes/README.md", "int one = first_factor * second_factor;\n");
+    const ReleasedTree tree = release();
+    std::vector<std::string> found = leaks(root / "out", tree.solution_lines);
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0], "common/given.h:2: int two=one + first_factor/3+17; // copied");
+    EXPECT_EQ(found[1], "scenes/README.md:1: int one = first_factor * second_factor;");
+}
+
+TEST_F(Release, WithheldFilesAndTheListAgree) {
+    write_sheet(R"("withhold": ["common/whole.h"],)");
+    try {
+        release();
+        ADD_FAILURE() << "a region that the sheet does not list was accepted";
+    } catch (const CourseError& error) {
+        EXPECT_NE(std::string(error.what()).find("common/part.h:1: "), std::string::npos)
+            << error.what();
+    }
+    write_sheet(R"("withhold": ["common/part.h", "common/none.h"],)");
+    EXPECT_THROW(release(), CourseError);
+}
+
+TEST_F(Release, AVariationChangesExactlyOnePlace) {
+    const Variation variation = {"v", "v.json:1:1: /find", "t", "a.cpp", "b = 2;\n", "b = 3;\n"};
+    EXPECT_EQ(variation.apply("a = 1;\nb = 2;\n"), "a = 1;\nb = 3;\n");
+    EXPECT_THROW(variation.apply("a = 1;\nbb = 2;\n"), CourseError);         // nowhere
+    EXPECT_THROW(variation.apply("b = 2;\nab = 2;\nb = 2;\n"), CourseError); // twice
+    EXPECT_THROW(variation.apply("  b = 2;\n"), CourseError);                // not the whole line
+    write("labs/07_tiny/variations/v.json",
+          R"({"title": "t", "file": "none.cpp", "find": ["a"], "replace": ["b"]})");
+    EXPECT_THROW(read_variations(read_lab_sheet(root, "07_tiny")), CourseError);
+}
+
+} // namespace
+
+} // namespace raylab

@@ -1,0 +1,98 @@
+// Each outcome of a test program, and the verdict and words that it must lead to.
+#include "grader/course/process.h"
+#include "grader/course/tests/temporary_tree.h"
+#include "grader/course/verdict.h"
+
+namespace raylab {
+
+namespace {
+
+class Verdicts : public TemporaryTree {
+  protected:
+    TaskResult judge(const std::string& id, const std::string& filter,
+                     const std::vector<std::string>& needs = {}) const {
+        const LabSheet lab = read_lab_sheet(root, "07_tiny");
+        Task task = lab.tasks.front();
+        task.id = id;
+        task.tests = {filter};
+        task.needs = needs;
+        return judge_task(lab, task, RAYLAB_FAKE_LAB);
+    }
+};
+
+TEST_F(Verdicts, AllTestsPass) {
+    const TaskResult result = judge("7.9", "Right.*");
+    EXPECT_EQ(result.verdict, Verdict::pass);
+    EXPECT_EQ(result.tests, 2);
+    EXPECT_EQ(result.points(), 3);
+}
+
+TEST_F(Verdicts, WrongSaysTheMeasuredFactAlone) {
+    const TaskResult result = judge("7.9", "Wrong.*");
+    EXPECT_EQ(result.verdict, Verdict::wrong);
+    EXPECT_EQ(result.passed, 1);
+    EXPECT_EQ(result.points(), 0);
+    EXPECT_EQ(result.facts,
+              std::vector<std::string>{
+                  "the answer should be 42 but is 41; the likely cause: one too few"});
+}
+
+TEST_F(Verdicts, AStubIsNamedWithItsPlaceInTheLab) {
+    const TaskResult result = judge("7.3", "Stubbed.*");
+    EXPECT_EQ(result.verdict, Verdict::not_implemented);
+    ASSERT_EQ(result.stubs.size(), 1u);
+    EXPECT_EQ(result.stubs[0].sentence(), "task 7.3 f() is not implemented: labs/07_fake/a.cpp:12");
+    EXPECT_TRUE(result.facts.empty());
+}
+
+TEST_F(Verdicts, WhatIsDoneOfATaskIsJudgedBesideItsStub) {
+    const TaskResult result = judge("7.4", "Half.*");
+    EXPECT_EQ(result.verdict, Verdict::not_implemented);
+    EXPECT_EQ(result.facts, std::vector<std::string>{"a fact of the other half"});
+}
+
+TEST_F(Verdicts, AStubOfANeededTaskIsNamedAndOfAnotherIsNot) {
+    const TaskResult needing = judge("7.9", "Needing.*", {"7.3"});
+    EXPECT_EQ(needing.verdict, Verdict::not_implemented);
+    EXPECT_EQ(needing.stubs.at(0).task, "7.3");
+    EXPECT_EQ(judge("7.9", "Needing.*").verdict, Verdict::wrong);
+}
+
+// No test calls f(), but its stub stands in the file.
+TEST_F(Verdicts, AStubThatNothingCallsIsFoundInTheSource) {
+    write("labs/07_tiny/a.cpp", "int f() {\n    not_implemented(\"7.2\", \"f()\");\n"
+                                "    // not_implemented(\"7.2\", \"gone()\");\n}\n");
+    const TaskResult stubbed = judge("7.2", "Crashing.*");
+    EXPECT_EQ(stubbed.verdict, Verdict::not_implemented);
+    ASSERT_EQ(stubbed.stubs.size(), 1u);
+    EXPECT_EQ(stubbed.stubs[0].place, "labs/07_tiny/a.cpp:2");
+}
+
+TEST_F(Verdicts, CrashesAndExceptionsAreTheTasksAlone) {
+    const TaskResult crash = judge("7.9", "Crashing.*");
+    EXPECT_EQ(crash.verdict, Verdict::wrong);
+    EXPECT_NE(crash.facts.at(0).find("Crashing.One crashed (Segmentation fault)"),
+              std::string::npos)
+        << crash.facts[0];
+    const TaskResult thrown = judge("7.9", "Throwing.*");
+    EXPECT_EQ(thrown.verdict, Verdict::wrong);
+    EXPECT_NE(thrown.facts.at(0).find("no such scene"), std::string::npos) << thrown.facts[0];
+}
+
+TEST_F(Verdicts, AFilterWithoutTestsIsAMistakeOfTheSheet) {
+    EXPECT_THROW(judge("7.9", "None.*"), CourseError);
+}
+
+TEST(Process, ATimeLimitEndsTheProgramAndItsChildren) {
+    const ProcessOutcome outcome = run_process({"sh", "-c", "sleep 60 & sleep 60"}, "/", 0.3);
+    EXPECT_TRUE(outcome.timed_out);
+    EXPECT_LT(outcome.seconds, 10);
+    EXPECT_THROW(run_process({"no-such-program-at-all"}, "/", 1), std::system_error);
+    EXPECT_EQ(run_process({"sh", "-c", "echo out; echo err >&2; exit 5"}, "/", 10).output,
+              "out\nerr\n");
+    EXPECT_EQ(run_process({"sh", "-c", "exit 5"}, "/", 10).exit_code, 5);
+}
+
+} // namespace
+
+} // namespace raylab
