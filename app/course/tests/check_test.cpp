@@ -1,0 +1,71 @@
+// `raylab check` and `raylab release` as a person meets them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string text; // standard output and standard error
+};
+
+Outcome raylab(const std::string& arguments) {
+    const std::string command = std::string(RAYLAB_CHECK_PROGRAM) + " " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    Outcome outcome{-1, ""};
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+        outcome.text.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+void expect(const std::string& arguments, int code, const std::vector<std::string>& words) {
+    const Outcome outcome = raylab(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.text;
+    for (const std::string& word : words)
+        EXPECT_NE(outcome.text.find(word), std::string::npos)
+            << arguments << "\nshould say: " << word << "\nsaid: " << outcome.text;
+}
+
+TEST(Check, WrongUsageIsRefused) {
+    expect("", 2, {});
+    expect("check", 2, {"LAB"});
+    expect("check 09", 2, {"no lab '09'", "01_recursive", "02_iterative"});
+    expect("check 02 2.9", 2, {"no task '2.9'", "2.1, 2.2"});
+    expect("release", 2, {"--output"});
+    for (const std::string command : {"check", "prove", "release"})
+        expect(command + " --help", 0, {"Examples"});
+}
+
+TEST(Check, TheSolutionsPass) {
+    expect("check 01", 0, {"PASS", "1.6", "100 of 100 points"});
+    expect("check 02 2.6 --json", 0, {"\"verdict\": \"PASS\"", "\"passed\": true"});
+}
+
+TEST(Release, OneTreeALab) {
+    std::string folder = (fs::temp_directory_path() / "raylab-release-XXXXXX").string();
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    // In full each tree is built, checked and run: minutes.
+    const std::string how = std::getenv("RAYLAB_LONG") ? "" : " --no-build";
+    expect("release --labs 01,02 -o " + folder + how, 0, {"01_recursive", "none of "});
+    EXPECT_TRUE(fs::exists(folder + "/01_recursive/raylab"));
+    EXPECT_TRUE(fs::exists(folder + "/02_iterative/labs/02_iterative/path.h"));
+    EXPECT_FALSE(fs::exists(folder + "/02_iterative/labs/01_recursive"));
+    EXPECT_FALSE(fs::exists(folder + "/01_recursive/common/geometry/intersect.h"));
+    expect("release --labs 01 -o " + folder + how, 2, {"is there already"});
+    fs::remove_all(folder);
+}
+
+} // namespace
