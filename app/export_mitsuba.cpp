@@ -2,6 +2,7 @@
 
 #include "app/export_ply.h"
 #include "app/labs.h"
+#include "common/geometry/make_quad.h"
 #include "common/image/formats.h"
 #include "common/math/frame.h"
 
@@ -294,7 +295,8 @@ class MitsubaWriter {
                 if (level == 0) mesh.add(square);
                 for (int i = 0; i < 4 && level > 0; ++i) {
                     const int next = (i + 1) % 4;
-                    mesh.add({{square.v[i], square.v[next], inner.v[next], inner.v[i]}, {}, {}});
+                    mesh.add(
+                        make_quad({square.v[i], square.v[next], inner.v[next], inner.v[i]}, {}));
                 }
                 inner = square;
             }

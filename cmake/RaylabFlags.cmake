@@ -20,6 +20,18 @@ endif()
 # labs' tasks on stubs and variations (app/prove.cpp).
 set(RAYLAB_OVERLAY "" CACHE PATH "Folder whose labs/NN_name replaces the one here, or empty")
 
+# The compiler may use what the processor at hand has: with contraction off the bits stay, and
+# sixteen floats fit into one instruction. A program built for machines of several kinds, say the
+# nodes of a cluster, wants their common part instead, such as x86-64-v3.
+set(RAYLAB_ARCH native CACHE STRING "the processor to compile for: an -march of g++ or clang")
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-march=${RAYLAB_ARCH} RAYLAB_ARCH_WORKS)
+if(RAYLAB_ARCH_WORKS)
+    list(PREPEND numerics -march=${RAYLAB_ARCH})
+elseif(NOT RAYLAB_ARCH STREQUAL "native")
+    message(FATAL_ERROR "RAYLAB_ARCH is '${RAYLAB_ARCH}': the compiler does not know this processor")
+endif()
+
 add_library(raylab_flags INTERFACE)
 target_include_directories(raylab_flags INTERFACE ${RAYLAB_OVERLAY} ${CMAKE_SOURCE_DIR})
 # Stubs leave parameters and variables unused, and a student's warning should not stop the build.
@@ -30,7 +42,7 @@ else()
     set(warnings -Wall -Wextra -Wno-unused)
 endif()
 target_compile_options(raylab_flags INTERFACE
-    "$<$<COMPILE_LANGUAGE:CXX>:${warnings};-fno-math-errno;${numerics}>")
+    "$<$<COMPILE_LANGUAGE:CXX>:${warnings};-fno-math-errno;-fno-trapping-math;${numerics}>")
 # g++ 12 sees overlapping copies in "text" + std::string() where there are none (GCC bug 105651).
 target_compile_options(raylab_flags INTERFACE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>)

@@ -10,8 +10,10 @@
 
 #include "app/labs.h"
 #include "common/geometry/intersect.h"
+#include "common/geometry/make_quad.h"
 #include "common/sampling/tests/statistics.h"
 #include "common/scene/load.h"
+#include "common/scene/quad_groups.h"
 #include "labs/01_recursive/intersect.h"
 
 #include <fmt/format.h>

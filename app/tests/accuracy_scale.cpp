@@ -21,8 +21,11 @@ Scene scaled(Scene scene, int k) {
     scene.camera.focus_distance *= s;
     for (Sphere& sphere : scene.spheres) sphere.center *= s, sphere.radius *= s;
     for (Plane& plane : scene.planes) plane.point *= s;
-    for (Quad& quad : scene.quads)
+    for (Quad& quad : scene.quads) {
         for (Vec3& v : quad.v) v *= s;
+        quad = make_quad(quad.v, quad.tags);
+    }
+    scene.quad_groups = group_quads(scene.quads);
     for (Triangle& triangle : scene.triangles)
         for (Vec3& v : triangle.v) v *= s;
     for (TriangleRun& run : scene.runs) run.bounds.low *= s, run.bounds.high *= s;

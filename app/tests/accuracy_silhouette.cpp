@@ -46,6 +46,7 @@ TEST_P(EachLab, DupCoplanarTheImageDoesNotDependOnTheOrderInMemory) {
         Scene s = scene;
         std::shuffle(s.spheres.begin(), s.spheres.end(), random);
         std::shuffle(s.quads.begin(), s.quads.end(), random);
+        s.quad_groups = group_quads(s.quads);
         std::shuffle(s.planes.begin(), s.planes.end(), random);
         std::shuffle(s.triangles.begin(), s.triangles.end(), random);
         s.runs.clear(); // boxes around any `triangles_in_run` of them, near or not

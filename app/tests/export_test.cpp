@@ -4,6 +4,7 @@
 #include "app/export_mitsuba.h"
 #include "app/export_ply.h"
 #include "app/labs.h"
+#include "common/geometry/make_quad.h"
 #include "common/image/formats.h"
 #include "common/scene/load.h"
 
@@ -69,8 +70,7 @@ TEST(MitsubaExport, EscapesNamesAndLeavesOutUnusedMaterials) {
 // The lamp's second face: the same square seen from behind, just behind it.
 TEST(MitsubaExport, LightsShineFromBothSides) {
     PlyMesh front;
-    front.add(
-        Quad{{Vec3(0, 0, 3), Vec3(2, 0, 3), Vec3(2, 2, 3), Vec3(0, 2, 3)}, Vec3(0, 0, 1), {}});
+    front.add(make_quad({Vec3(0, 0, 3), Vec3(2, 0, 3), Vec3(2, 2, 3), Vec3(0, 2, 3)}, {}));
     const PlyMesh back = front.back(0.25f);
     for (const auto& [i, j, k] : back.faces) {
         const Vec3 a = back.positions[i], b = back.positions[j], c = back.positions[k];

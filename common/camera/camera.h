@@ -27,7 +27,7 @@ inline void set_film_size(Camera& camera, int width, int height) {
 //[ withhold 01
 // The ray through pixel (x, y), (0, 0) at the top left. u_film: position within the pixel, in
 // [0,1)^2 (jittered anti-aliasing, box filter). u_lens: position on the lens, in [0,1)^2.
-HD Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens) {
+HD_HOT Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens) {
     const float sx = (2 * (x + u_film.x) / camera.width - 1) * camera.half_width;
     const float sy = (1 - 2 * (y + u_film.y) / camera.height) * camera.half_height;
     const Vec3 d = camera.forward + sx * camera.right + sy * camera.up; // forward component 1

@@ -9,13 +9,15 @@ namespace raylab {
 class DeviceScene {
   public:
     explicit DeviceScene(const Scene& scene)
-        : spheres_(scene.spheres), quads_(scene.quads), planes_(scene.planes),
-          triangles_(scene.triangles), runs_(scene.runs), corners_(scene.corners),
-          materials_(scene.materials), lights_(scene.lights), textures_(scene.textures),
-          texels_(scene.texels), map_(scene.environment_map), row_cdf_(scene.environment_row_cdf),
-          column_cdf_(scene.environment_column_cdf), view_(raylab::view(scene)) {
+        : spheres_(scene.spheres), quads_(scene.quads), quad_groups_(scene.quad_groups),
+          planes_(scene.planes), triangles_(scene.triangles), runs_(scene.runs),
+          corners_(scene.corners), materials_(scene.materials), lights_(scene.lights),
+          textures_(scene.textures), texels_(scene.texels), map_(scene.environment_map),
+          row_cdf_(scene.environment_row_cdf), column_cdf_(scene.environment_column_cdf),
+          view_(raylab::view(scene)) {
         point_to(view_.spheres, spheres_);
         point_to(view_.quads, quads_);
+        point_to(view_.quad_groups, quad_groups_);
         point_to(view_.planes, planes_);
         point_to(view_.triangles, triangles_);
         point_to(view_.runs, runs_);
@@ -38,6 +40,7 @@ class DeviceScene {
 
     DeviceArray<Sphere> spheres_;
     DeviceArray<Quad> quads_;
+    DeviceArray<QuadGroup> quad_groups_;
     DeviceArray<Plane> planes_;
     DeviceArray<Triangle> triangles_;
     DeviceArray<TriangleRun> runs_;

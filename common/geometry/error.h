@@ -8,11 +8,11 @@
 namespace raylab {
 
 // Along n: half an ulp a coordinate from rounding p, and as much from rounding an origin beside p.
-HD float rounding_error(Vec3 p, Vec3 n) { return gamma_bound(2) * dot(abs(p), abs(n)); }
+HD_HOT float rounding_error(Vec3 p, Vec3 n) { return gamma_bound(2) * dot(abs(p), abs(n)); }
 
 // On a plane besides: the rounding of the plane's equation, in double, between p and the point that
 // anchors it. conditioning: see normal_conditioning; 1 for a normal that is given.
-HD float error_on_plane(const ExactPlane& plane, Vec3 p, Vec3 n, double conditioning) {
+HD_HOT float error_on_plane(const ExactPlane& plane, Vec3 p, Vec3 n, double conditioning) {
     const DVec3 lever = glm::abs(DVec3(p) - plane.point);
     return rounding_error(p, n) + float(0x1p-50 * conditioning * (lever.x + lever.y + lever.z));
 }

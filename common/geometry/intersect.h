@@ -3,10 +3,13 @@
 
 #include "common/geometry/plane.h"
 #include "common/geometry/quad.h"
+#include "common/geometry/quad_group.h"
 #include "common/geometry/sphere.h"
 #include "common/geometry/triangle.h"
 #include "common/scene/features.h"
 #include "common/scene/view.h"
+
+#include <cassert>
 
 namespace raylab {
 
@@ -28,15 +31,23 @@ HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
             if (intersect(plane, ray, t) && !visit(Shape::plane, i, plane.tags.id, t)) return;
         }
     }
-    if constexpr (!(F & (feature::quad | feature::triangle))) return;
-    const ShearedRay sheared(ray);
     if constexpr (F & feature::quad) {
-        for (int i = 0; i < scene.quads.size; ++i) {
-            const Quad& quad = scene.quads[i];
-            if (intersect(quad, sheared, t) && !visit(Shape::quad, i, quad.tags.id, t)) return;
+        assert(scene.quads.size <= scene.quad_groups.size * quads_per_group);
+        for (int g = 0; g < scene.quad_groups.size; ++g) {
+            const QuadGroup& group = scene.quad_groups[g];
+            const QuadGlance seen = glance(group, ray, reach());
+            for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
+                const int lane = lowest_bit(left), i = group.first + lane;
+                if (seen.begin[lane] > reach()) continue; // NaN: tested
+                const Quad& quad = scene.quads[i];
+                const bool met = seen.sure >> lane & 1 ? intersect_inside(quad, ray, t)
+                                                       : intersect(quad, ShearedRay(ray), t);
+                if (met && !visit(Shape::quad, i, quad.tags.id, t)) return;
+            }
         }
     }
     if constexpr (F & feature::triangle) {
+        const ShearedRay sheared(ray);
         const SlabRay slab(ray);
         for (int r = 0; r < scene.runs.size; ++r) {
             const TriangleRun& run = scene.runs[r];
@@ -61,7 +72,7 @@ template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray) {
             if (hit.is_beaten_by(t, id)) hit = {t, id, shape, index};
             return true;
         },
-        [&] { return fminf(hit.t, ray.t_max); });
+        [&] { return glm::min(hit.t, ray.t_max); });
     return hit;
 }
 

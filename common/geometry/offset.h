@@ -10,20 +10,20 @@ namespace raylab {
 
 // p on the side of its surface to which w points: twice the error, so that neither the rounding of
 // p nor that of the sum puts the origin back on the wrong side.
-HD Vec3 offset_point(Vec3 p, Vec3 ng, float error, Vec3 w) {
+HD_HOT Vec3 offset_point(Vec3 p, Vec3 ng, float error, Vec3 w) {
     return p + copysignf(2 * error, dot(w, ng)) * ng;
 }
 
 // The ray from a surface into the unit direction wi.
-HD Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
+HD_HOT Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
     return {offset_point(surface.p, surface.ng, surface.error, wi), wi};
 }
 
 // The shadow feeler from a surface to a point, free of the surfaces at both ends: occluded()
 // answers whether anything lies between. target_error and target_normal describe the surface the
 // target lies on, as in SurfacePoint; for a point in space pass 0 and any normal.
-HD Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
-                    Vec3 target_normal) {
+HD_HOT Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
+                        Vec3 target_normal) {
     const Vec3 o = offset_point(surface.p, surface.ng, surface.error, target - surface.p);
     // Rounding the direction moves its far end by a few ulps of the distance.
     const float aim_error = gamma_bound(4) * length(target - o);

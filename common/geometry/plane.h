@@ -14,7 +14,7 @@ struct ExactPlane {
 HD ExactPlane exact_plane(const Plane& plane) { return {DVec3(plane.point), DVec3(plane.normal)}; }
 
 // The point of the plane next to p.
-HD DVec3 project(const ExactPlane& plane, DVec3 p) {
+HD_HOT DVec3 project(const ExactPlane& plane, DVec3 p) {
     const DVec3& n = plane.normal;
     return p - n * (dot(n, p - plane.point) / dot(n, n));
 }
@@ -22,14 +22,14 @@ HD DVec3 project(const ExactPlane& plane, DVec3 p) {
 // t = n.(point - o) / n.d in (0, ray.t_max). Products of floats are exact in double, so a ray
 // starts on the right side of the plane wherever float can tell. A parallel ray, or a plane whose
 // normal is 0 or NaN, is no hit.
-HD bool intersect(const ExactPlane& plane, const Ray& ray, float& t) {
+HD_HOT bool intersect(const ExactPlane& plane, const Ray& ray, float& t) {
     const double slope = dot(plane.normal, DVec3(ray.d));
     if (slope == 0) return false;
     t = float(dot(plane.normal, plane.point - DVec3(ray.o)) / slope);
     return t > 0 && t < ray.t_max;
 }
 
-HD bool intersect(const Plane& plane, const Ray& ray, float& t) {
+HD_HOT bool intersect(const Plane& plane, const Ray& ray, float& t) {
     return intersect(exact_plane(plane), ray, t);
 }
 

@@ -10,8 +10,7 @@ namespace raylab {
 
 // The plane of the half v[0] v[1] v[2], or of the half v[0] v[2] v[3].
 HD ExactPlane exact_plane(const Quad& quad, bool first_half) {
-    return first_half ? plane_through(quad.v[0], quad.v[1], quad.v[2])
-                      : plane_through(quad.v[0], quad.v[2], quad.v[3]);
+    return {DVec3(quad.v[0]), quad.half_normal[first_half ? 0 : 1]};
 }
 
 // Is p, a point of the quad, in the half v[0] v[1] v[2], to the right of the diagonal?
@@ -45,5 +44,10 @@ HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
 //|     return lab01::hit_triangle(first, ray, t) || lab01::hit_triangle(second, ray, t);
 //| }
 //]
+
+// The same for a ray that is known to pass well inside a parallelogram: only t is left to find.
+HD bool intersect_inside(const Quad& quad, const Ray& ray, float& t) {
+    return intersect(exact_plane(quad, true), ray, t);
+}
 
 } // namespace raylab

@@ -21,13 +21,23 @@ struct Sphere {
     ShapeTags tags;
 };
 
-// A planar convex quadrilateral v[0] v[1] v[2] v[3] in order around its edge; the unit normal is that
-// of cross(v[1] - v[0], v[3] - v[0]), computed in double at load time. Neighbours that share an edge
-// share its corners' bits, which makes a closed room watertight.
+// A planar convex quadrilateral v[0] v[1] v[2] v[3] in order around its edge; make_quad() fills in
+// what follows from the corners. Neighbours that share an edge share its corners' bits, which makes
+// a closed room watertight.
 struct Quad {
     Vec3 v[4];
-    Vec3 normal;
+    Vec3 normal; // unit, that of cross(v[1] - v[0], v[3] - v[0])
     ShapeTags tags;
+
+    bool parallelogram; // v[2] is opposite v[0] to the last bit
+    float area;
+    // Of a parallelogram: p - v[0] = c0 (v[1] - v[0]) + c1 (v[3] - v[0]) with ci = across[i].(p -
+    // v[0]).
+    DVec3 across[2];
+    float steepness; // the length of the longer one
+    // Of the half v[0] v[1] v[2] and the half v[0] v[2] v[3]; the same if it is a parallelogram.
+    DVec3 half_normal[2];  // across its plane, twice the half's area long
+    float conditioning[2]; // see normal_conditioning() in error.h
 };
 
 // The infinite plane { p : dot(normal, p - point) = 0 }: a ground, instead of a giant sphere.

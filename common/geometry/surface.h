@@ -24,7 +24,8 @@ struct SurfacePoint {
 };
 
 // p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
-template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
+template <Features F>
+HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
     const DVec3 center(sphere.center);
     const DVec3 n = glm::normalize(p - center);
     SurfacePoint s{};
@@ -36,22 +37,23 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Sphere&
     return s;
 }
 
-template <Features F> HD SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
-    const bool first_half = is_in_first_half(quad, p);
+template <Features F> HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
+    const bool first_half = quad.parallelogram || is_in_first_half(quad, p);
     const ExactPlane plane = exact_plane(quad, first_half);
-    p = clear_of_edges(quad.v, plane, project(plane, p));
+    p = project(plane, p);
+    if (!(quad.parallelogram && is_clear_of_edges(quad, p))) p = clear_of_edges(quad.v, plane, p);
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
-    s.error = error_on_plane(plane, s.p, s.ng,
-                             normal_conditioning(quad.v[0], quad.v[2], quad.v[first_half ? 1 : 3]));
+    s.error = error_on_plane(plane, s.p, s.ng, quad.conditioning[first_half ? 0 : 1]);
     s.shading = Frame::around(s.ng);
     if constexpr (F & feature::texture) s.uv = quad_uv(quad, p);
     return s;
 }
 
 // A plane has no size to measure uv in: it has no texture coordinates.
-template <Features F> HD SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p) {
+template <Features F>
+HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p) {
     SurfacePoint s{};
     s.p = Vec3(project(exact_plane(plane), p));
     s.ng = plane.normal;
@@ -62,7 +64,7 @@ template <Features F> HD SurfacePoint surface_on(const SceneView&, const Plane& 
 
 // Normals given at the corners are interpolated (Phong, 1975) and turned to ng's side.
 template <Features F>
-HD SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p) {
+HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p) {
     const ExactPlane plane = exact_plane(triangle);
     p = clear_of_edges(triangle.v, plane, project(plane, p));
     SurfacePoint s{};
@@ -95,7 +97,7 @@ HD SurfacePoint tagged_surface_on(const SceneView& scene, const ShapeType& shape
 // The surface where the ray met hit.shape at hit.t; hit.found() must hold.
 // F: the features of the scene, so that shapes it has not cost nothing.
 template <Features F>
-HD SurfacePoint surface_at(const SceneView& scene, const Ray& ray, const Hit& hit) {
+HD_HOT SurfacePoint surface_at(const SceneView& scene, const Ray& ray, const Hit& hit) {
     const DVec3 p = DVec3(ray.o) + double(hit.t) * DVec3(ray.d);
     if constexpr (F & feature::sphere) {
         if (hit.shape == Shape::sphere)

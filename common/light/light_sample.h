@@ -27,8 +27,8 @@ HD float solid_angle_pdf(float area_pdf, float distance2, float abs_cosine) {
 }
 
 // A sample of an area light from a point with density area_pdf on it. Lights emit from both sides.
-HD LightSample light_sample_at(Vec3 from, Vec3 p, float error, Vec3 n, float area_pdf,
-                               Vec3 radiance) {
+HD_HOT LightSample light_sample_at(Vec3 from, Vec3 p, float error, Vec3 n, float area_pdf,
+                                   Vec3 radiance) {
     const Vec3 d = p - from;
     const float distance2 = length_squared(d), distance = sqrtf(distance2);
     const Vec3 wi = d / distance;

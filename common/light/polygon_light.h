@@ -17,9 +17,6 @@ HD Vec3 lerp(Vec3 a, Vec3 b, float t) { return (1 - t) * a + t * b; }
 // its values at the corners are the parallelograms that the corners' edges span.
 struct QuadMeasure {
     float at00, at10, at01, at11;
-
-    // The integral of a bilinear function over the unit square: the mean of its corners.
-    HD float area() const { return (at00 + at10 + at01 + at11) / 4; }
 };
 
 // The parallelogram's area, by its unit normal: no squares, which would underflow in small scenes.
@@ -35,22 +32,26 @@ HD QuadMeasure measure(const Quad& quad) {
 }
 
 // (s, t) with density proportional to that measure makes p(s, t) uniform: first t, from the density
-// averaged over s, then s at that t. A parallelogram keeps s = u.x, t = u.y.
-HD LightSample sample_quad_light(const Quad& quad, Vec3 radiance, Vec3 from, Vec2 u) {
+// averaged over s, then s at that t.
+HD_HOT Vec2 sample_quad(const Quad& quad, Vec2 u) {
+    if (quad.parallelogram) return u; // the measure is constant
     const QuadMeasure m = measure(quad);
     const float t = sample_linear(u.y, m.at00 + m.at10, m.at01 + m.at11);
-    const float s =
-        sample_linear(u.x, (1 - t) * m.at00 + t * m.at01, (1 - t) * m.at10 + t * m.at11);
-    const Vec3 p = lerp(lerp(quad.v[0], quad.v[1], s), lerp(quad.v[3], quad.v[2], s), t);
+    return Vec2(sample_linear(u.x, (1 - t) * m.at00 + t * m.at01, (1 - t) * m.at10 + t * m.at11),
+                t);
+}
+
+HD_HOT LightSample sample_quad_light(const Quad& quad, Vec3 radiance, Vec3 from, Vec2 u) {
+    const Vec2 st = sample_quad(quad, u);
+    const Vec3 p = lerp(lerp(quad.v[0], quad.v[1], st.x), lerp(quad.v[3], quad.v[2], st.x), st.y);
     const Vec3 largest = glm::max(glm::max(abs(quad.v[0]), abs(quad.v[1])),
                                   glm::max(abs(quad.v[2]), abs(quad.v[3])));
     const float error = gamma_bound(8) * dot(largest, abs(quad.normal));
-    return light_sample_at(from, p, error, quad.normal, 1 / m.area(), radiance);
+    return light_sample_at(from, p, error, quad.normal, 1 / quad.area, radiance);
 }
 
 HD float quad_light_pdf(const Quad& quad, Vec3 from, Vec3 wi, Vec3 p) {
-    return solid_angle_pdf(1 / measure(quad).area(), length_squared(p - from),
-                           fabsf(dot(wi, quad.normal)));
+    return solid_angle_pdf(1 / quad.area, length_squared(p - from), fabsf(dot(wi, quad.normal)));
 }
 
 HD float triangle_area(const Triangle& triangle) {

@@ -26,7 +26,7 @@ HD LightSample sample_point_light(const Light& light, Vec3 from) {
 
 // A point on scene.lights[light] to light the receiver at `from`. u in [0, 1)^2.
 template <Features F>
-HD LightSample sample_light(const SceneView& scene, int light, Vec3 from, Vec2 u) {
+HD_HOT LightSample sample_light(const SceneView& scene, int light, Vec3 from, Vec2 u) {
     const Light& l = scene.lights[light];
     switch (l.kind) {
     case LightKind::sphere:

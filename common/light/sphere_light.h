@@ -58,7 +58,7 @@ HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 fro
     //   cos(alpha) = sin(theta) sqrt(q) + cos(theta) sqrt(1 - q).
     const float s = sqrtf(cone.sin2);
     const float sin2_theta = local.x * local.x + local.y * local.y;
-    const float q = fminf(sin2_theta / cone.sin2, 1.0f);
+    const float q = glm::min(1.0f, sin2_theta / cone.sin2);
     const float t_over_r = (local.z - s * sqrtf(1 - q)) / s;
     const float cos_alpha = sqrtf(sin2_theta * q) + local.z * sqrtf(1 - q);
     const Vec3 n =

@@ -8,11 +8,11 @@ namespace raylab {
 
 //[ withhold 01
 // wo, wi above the surface. Choosing wi with density cos/pi cancels f cos to the albedo.
-HD BsdfValue evaluate_diffuse(Vec3 albedo, Vec3 wi) {
+HD_HOT BsdfValue evaluate_diffuse(Vec3 albedo, Vec3 wi) {
     return {albedo * (inv_pi * wi.z), cosine_hemisphere_pdf(wi.z)};
 }
 
-HD BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) {
+HD_HOT BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) {
     const Vec3 wi = sample_cosine_hemisphere(u);
     return {wi, albedo, cosine_hemisphere_pdf(wi.z), false, wi.z > 0};
 }

@@ -12,7 +12,7 @@ struct Frame {
 
     // n: unit vector. Frisvad's form divides by 1 + n.z and fails near n.z = -1; taking the sign of
     // n.z apart keeps the divisor in [1, 2].
-    HD static Frame around(Vec3 n) {
+    HD_HOT static Frame around(Vec3 n) {
         const float sign = copysignf(1.0f, n.z);
         const float a = -1.0f / (sign + n.z);
         const float b = n.x * n.y * a;
@@ -20,8 +20,8 @@ struct Frame {
                 Vec3(b, sign + n.y * n.y * a, -n.y), n};
     }
 
-    HD Vec3 to_local(Vec3 v) const { return Vec3(dot(v, x), dot(v, y), dot(v, z)); }
-    HD Vec3 to_world(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
+    HD_HOT Vec3 to_local(Vec3 v) const { return Vec3(dot(v, x), dot(v, y), dot(v, z)); }
+    HD_HOT Vec3 to_world(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
 } // namespace raylab

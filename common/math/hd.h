@@ -6,3 +6,11 @@
 #else
 #define HD inline
 #endif
+
+// HD_HOT: the same for what runs once a ray or more. It is inlined even where a host compiler would
+// rather call it: structs that pass through memory, written in pieces and read whole, stall a CPU.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define HD_HOT __attribute__((always_inline)) inline
+#else
+#define HD_HOT HD
+#endif

@@ -22,7 +22,7 @@ static_assert(std::is_trivially_copyable_v<Vec3> && sizeof(Vec3) == 12);
 using glm::cross;
 using glm::dot;
 
-HD float max_component(Vec3 v) { return fmaxf(v.x, fmaxf(v.y, v.z)); }
+HD float max_component(Vec3 v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 HD Vec3 abs(Vec3 v) { return Vec3(fabsf(v.x), fabsf(v.y), fabsf(v.z)); }
 HD float length_squared(Vec3 v) { return dot(v, v); }
 HD float length(Vec3 v) { return sqrtf(dot(v, v)); }

@@ -14,22 +14,6 @@
 
 namespace raylab {
 
-struct Sampler {
-    SamplerKind kind;
-    std::uint32_t seed;
-    std::uint32_t pixel;  // y * width + x
-    std::uint32_t sample; // 0, 1, 2, ...
-
-    // Two numbers in [0, 1), never 1. Sobol: the key chooses a sequence, the sample's number is the
-    // place in it. Independent: the number is part of the key.
-    HD Vec2 get_2d(std::uint32_t pair) const {
-        const bool sobol = kind == SamplerKind::sobol;
-        const Words key = pcg4d({seed, pixel, pair, sobol ? 0 : sample});
-        return sobol ? owen_sobol_2d(sample, key) : Vec2(to_unit(key.x), to_unit(key.y));
-    }
-    HD float get_1d(std::uint32_t pair) const { return get_2d(pair).x; }
-};
-
 // The decisions of a path, in order: each takes one pair of dimensions.
 namespace dimension {
 constexpr std::uint32_t film = 0; // position in the pixel
@@ -41,7 +25,40 @@ constexpr std::uint32_t light_point = 0;   // where on the light
 constexpr std::uint32_t light_choice = 1;  // .x which light, .y unused
 constexpr std::uint32_t direction = 2;     // the BSDF's direction
 constexpr std::uint32_t lobe_roulette = 3; // .x which lobe, .y Russian roulette
+// The direction in which a path leaves what the camera sees decides, together with the point in the
+// pixel, most of its radiance: the two pairs are one point in four dimensions.
+constexpr std::uint32_t first_direction = first_bounce + direction;
 } // namespace dimension
+
+// What the decisions of one bounce need, in [0, 1).
+struct BounceNumbers {
+    Vec2 light_point;
+    float light_choice;
+    Vec2 direction;
+    float lobe, roulette;
+};
+
+struct Sampler {
+    SamplerKind kind;
+    std::uint32_t seed;
+    std::uint32_t pixel;  // y * width + x
+    std::uint32_t sample; // 0, 1, 2, ...
+
+    // Two numbers in [0, 1), never 1. Sobol: the key chooses a sequence, the sample's number is the
+    // place in it. Independent: the number is part of the key.
+    HD_HOT Vec2 get_2d(std::uint32_t pair) const {
+        const bool sobol = kind == SamplerKind::sobol;
+        const Words key = pcg4d({seed, pixel, pair, sobol ? 0 : sample});
+        if (!sobol) return Vec2(to_unit(key.x), to_unit(key.y));
+        if (pair != dimension::first_direction) return owen_sobol_2d(sample, key);
+        const Words film_key = pcg4d({seed, pixel, dimension::film, 0});
+        return owen_sobol_next_2d(sample, film_key.x, key);
+    }
+    HD float get_1d(std::uint32_t pair) const { return get_2d(pair).x; }
+
+    // All numbers of a bounce at once. A CPU computes its four pairs side by side.
+    HD_HOT BounceNumbers get_bounce(std::uint32_t bounce) const;
+};
 
 // Where in its pixel a camera ray goes through, in [0, 1)^2: anywhere, or always the middle.
 HD Vec2 film_point(const RenderSettings& settings, const Sampler& sampler) {
@@ -50,6 +67,21 @@ HD Vec2 film_point(const RenderSettings& settings, const Sampler& sampler) {
 
 HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t decision) {
     return dimension::first_bounce + dimension::per_bounce * bounce + decision;
+}
+
+HD_HOT BounceNumbers Sampler::get_bounce(std::uint32_t bounce) const {
+    const std::uint32_t first = bounce_dimension(bounce, 0);
+    Vec2 u[dimension::per_bounce];
+    if (kind == SamplerKind::sobol) {
+        for (std::uint32_t k = 0; k < dimension::per_bounce; ++k)
+            u[k] = owen_sobol_2d(sample, pcg4d({seed, pixel, first + k, 0}));
+        if (bounce == 0) u[dimension::direction] = get_2d(dimension::first_direction);
+    } else {
+        for (std::uint32_t k = 0; k < dimension::per_bounce; ++k) u[k] = get_2d(first + k);
+    }
+    const Vec2 lobe_roulette = u[dimension::lobe_roulette];
+    return {u[dimension::light_point], u[dimension::light_choice].x, u[dimension::direction],
+            lobe_roulette.x, lobe_roulette.y};
 }
 
 // Whitted's tracer sends a feeler to every light from every node of its ray tree: a pair of their

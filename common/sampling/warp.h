@@ -18,21 +18,22 @@ HD Vec2 centred(Vec2 u) { return (2.0f * u - 1.0f) + 0x1p-24f; }
 // Uniform on the unit disk, density 1/pi. Squares around the centre become circles (Shirley and
 // Chiu, A Low Distortion Map Between Disk and Square, 1997): a's larger coordinate is the signed
 // radius, the ratio of the two the angle, in eighths of a turn from that axis.
-HD Vec2 sample_disk(Vec2 u) {
+HD_HOT Vec2 sample_disk(Vec2 u) {
     const Vec2 a = centred(u);
-    if (fabsf(a.x) > fabsf(a.y)) return a.x * cos_sin_octant(a.y / a.x);
-    if (a.y == 0) return Vec2(0);
-    const Vec2 p = a.y * cos_sin_octant(a.x / a.y);
-    return Vec2(p.y, p.x);
+    // Selected, not branched to: which half of the square is as good as random.
+    const bool wide = fabsf(a.x) > fabsf(a.y);
+    const float radius = wide ? a.x : a.y, other = wide ? a.y : a.x;
+    const Vec2 p = radius == 0 ? Vec2(0) : radius * cos_sin_octant(other / radius);
+    return wide ? p : Vec2(p.y, p.x);
 }
 
 //[ withhold 01
 // Upper hemisphere, density cos(theta)/pi: a disk's uniform points, lifted to the sphere (Malley).
-HD Vec3 sample_cosine_hemisphere(Vec2 u) {
+HD_HOT Vec3 sample_cosine_hemisphere(Vec2 u) {
     const Vec2 d = sample_disk(u);
     const Vec2 a = centred(u);
     const float r =
-        fmaxf(fabsf(a.x), fabsf(a.y)); // |d| without rounding, and below 1: z stays positive
+        glm::max(fabsf(a.x), fabsf(a.y)); // |d| without rounding, and below 1: z stays positive
     return Vec3(d, sqrtf((1 - r) * (1 + r)));
 }
 //| namespace lab01 {
@@ -42,7 +43,7 @@ HD Vec3 sample_cosine_hemisphere(Vec2 u) {
 //| // Upper hemisphere, density cos(theta)/pi: yours.
 //| HD Vec3 sample_cosine_hemisphere(Vec2 u) { return lab01::sample_cosine(u); }
 //]
-HD float cosine_hemisphere_pdf(float cos_theta) { return fmaxf(cos_theta, 0.0f) * inv_pi; }
+HD float cosine_hemisphere_pdf(float cos_theta) { return glm::max(0.0f, cos_theta) * inv_pi; }
 
 // All directions alike, density 1/(4 pi): the height of a uniform point on a sphere is uniform.
 HD Vec3 sample_uniform_sphere(Vec2 u) {
@@ -62,7 +63,7 @@ HD Vec2 sample_triangle(Vec2 u) {
 // inverse of the distribution function, in the form that does not cancel for a near b.
 HD float sample_linear(float u, float a, float b) {
     const float p = a / (a + b), q = b / (a + b);
-    return fminf(u / (p + sqrtf((1 - u) * p * p + u * q * q)), 1.0f);
+    return glm::min(1.0f, u / (p + sqrtf((1 - u) * p * p + u * q * q)));
 }
 
 // 1 - cos of an angle in [0, pi/2], from sin^2 of it. 1 - sqrt(1 - s2) loses every digit when the

@@ -1,5 +1,6 @@
 // The `shapes` block: spheres, boxes, quads, planes, triangles, transformed into world space.
 // Meshes are in read_mesh.cpp.
+#include "common/geometry/make_quad.h"
 #include "common/scene/keys.h"
 #include "common/scene/scene_builder.h"
 #include "common/scene/triangle_runs.h"
@@ -177,7 +178,7 @@ void SceneBuilder::add_quad(const Node& shape, const Vec3 (&v)[4], int material)
                             "two triangles",
                             i));
     }
-    scene_.quads.push_back({{v[0], v[1], v[2], v[3]}, Vec3(normal), {next_id_++, material, -1}});
+    scene_.quads.push_back(make_quad({v[0], v[1], v[2], v[3]}, {next_id_++, material, -1}));
 }
 
 void SceneBuilder::read_plane(const Node& shape, int material) {

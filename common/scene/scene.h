@@ -31,6 +31,7 @@ struct Scene {
     Camera camera{};
     std::vector<Sphere> spheres;
     std::vector<Quad> quads;
+    std::vector<QuadGroup> quad_groups; // = group_quads(quads)
     std::vector<Plane> planes;
     std::vector<Triangle> triangles;
     std::vector<TriangleRun> runs;

@@ -4,6 +4,7 @@
 #include "common/scene/features.h"
 #include "common/scene/keys.h"
 #include "common/scene/load.h"
+#include "common/scene/quad_groups.h"
 #include "common/scene/read_file.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,7 @@ Scene SceneBuilder::build() {
     read_render(root, film);
     if (const auto materials = root.find("materials")) read_materials(*materials);
     if (const auto shapes = root.find("shapes")) read_shapes(*shapes);
+    scene_.quad_groups = group_quads(scene_.quads);
     make_area_lights();
     if (const auto lights = root.find("lights")) read_lights(*lights);
     if (const auto expect = root.find("expect")) read_expect(*expect);

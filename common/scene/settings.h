@@ -23,7 +23,7 @@ struct RenderSettings {
     std::uint32_t seed = 1;
     SamplerKind sampler = SamplerKind::sobol;
     DirectLight direct_light = DirectLight::mis;
-    bool roulette = true; // Russian roulette from the fourth surface on
+    bool roulette = true; // Russian roulette from the second surface on
     bool jitter = true;   // camera rays go through random points of their pixel; else its middle
 };
 

@@ -15,6 +15,7 @@ SceneView view(const Scene& scene) {
     v.camera = scene.camera;
     v.spheres = array_of(scene.spheres);
     v.quads = array_of(scene.quads);
+    v.quad_groups = array_of(scene.quad_groups);
     v.planes = array_of(scene.planes);
     v.triangles = array_of(scene.triangles);
     v.runs = array_of(scene.runs);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/camera/camera.h"
+#include "common/geometry/quad_group.h"
 #include "common/geometry/shapes.h"
 #include "common/light/light.h"
 #include "common/material/material.h"
@@ -40,6 +41,7 @@ struct SceneView {
     Camera camera;
     Array<Sphere> spheres;
     Array<Quad> quads;
+    Array<QuadGroup> quad_groups; // the same quads, side by side
     Array<Plane> planes;
     Array<Triangle> triangles;
     Array<TriangleRun> runs;

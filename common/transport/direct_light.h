@@ -27,8 +27,8 @@ struct Feeler {
 // The feeler to one given light. Its light: f(wo, wi) |cos| L / p_l, times the weight against BSDF
 // sampling. p_choice: the probability that this light was chosen.
 template <Features F>
-HD Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, float p_choice,
-                    const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
+HD_HOT Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, float p_choice,
+                        const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
     const LightSample sample = sample_light<F>(scene, light, surface.p, u);
     if (!sample.valid || !sides_agree(surface, sample.wi)) return {};
     if (strategy == DirectLight::bsdf && !sample.delta) return {};
@@ -49,18 +49,15 @@ HD Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, flo
 
 // The feeler to one light chosen at random, all with the same probability.
 template <Features F>
-HD Feeler feeler_to_any(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
-                        Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce) {
+HD_HOT Feeler feeler_to_any(const SceneView& scene, DirectLight strategy,
+                            const SurfacePoint& surface, Vec3 reflectance, Vec3 wo,
+                            const BounceNumbers& u) {
     const int lights = scene.lights.size;
     if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return {};
-    int light = 0;
-    if (lights > 1) {
-        const float u = sampler.get_1d(bounce_dimension(bounce, dimension::light_choice));
-        light = static_cast<int>(u * lights);
-        if (light == lights) light = lights - 1; // u * lights may round up
-    }
-    const Vec2 u = sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
-    return feeler_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo, u);
+    int light = static_cast<int>(u.light_choice * lights);
+    if (light == lights) light = lights - 1; // the product may round up
+    return feeler_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo,
+                        u.light_point);
 }
 
 // What the feeler finds.
@@ -83,11 +80,9 @@ HD Vec3 light_from(const SceneView& scene, DirectLight strategy, int light, floa
 
 // Light from one light chosen at random.
 template <Features F>
-HD Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
-                     Vec3 reflectance, Vec3 wo, const Sampler& sampler, std::uint32_t bounce,
-                     PathRecord& record) {
-    const Feeler feeler =
-        feeler_to_any<F>(scene, strategy, surface, reflectance, wo, sampler, bounce);
+HD_HOT Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
+                         Vec3 reflectance, Vec3 wo, const BounceNumbers& u, PathRecord& record) {
+    const Feeler feeler = feeler_to_any<F>(scene, strategy, surface, reflectance, wo, u);
     return trace_feeler<F>(scene, feeler, record);
 }
 

@@ -16,12 +16,12 @@ namespace raylab::lab01 {
 
 namespace {
 
-// Russian roulette: from the fourth surface on, the path goes on with probability q, and what it
-// brings counts 1/q. q is the largest channel of the throughput, the product of all weights so far:
-// the one thing a recursion has to be told about its past.
+// Russian roulette: from the second surface on, the path goes on with probability q, and what it
+// brings counts 1/q. q is 2.5 times the largest channel of the throughput, the product of all weights
+// so far: the one thing a recursion has to be told about its past.
 float survival_probability(Vec3 throughput, int bounce) {
-    if (bounce < 3) return 1;
-    return std::min(max_component(throughput), 1.0f);
+    if (bounce < 1) return 1;
+    return std::min(1.0f, 2.5f * max_component(throughput));
 }
 
 } // namespace

@@ -13,14 +13,15 @@
 
 namespace raylab::lab02 {
 
-// Russian roulette: from the fourth surface on, a path survives with probability q = the largest
-// channel of its throughput, and survivors count 1/q, so the mean stays.
+// Russian roulette: a path survives with probability q, and survivors count 1/q, so the mean stays.
 //     E[survives ? T/q : 0] = q (T/q) = T
+// Any q will do for that. Dim paths are the ones to end: from the second surface on, q = 2.5 times
+// the largest channel of the throughput, so that a path with 40 % of its light left never ends.
 // Returns false if the path ends. u: random, uniform in [0, 1).
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     //[ task 2.5
-    if (bounce < 3) return true;
-    const float q = fminf(max_component(throughput), 1.0f);
+    if (bounce < 1) return true;
+    const float q = glm::min(1.0f, 2.5f * max_component(throughput));
     if (u >= q) return false;
     throughput /= q;
     return true;
@@ -57,21 +58,20 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
         radiance +=
             throughput * emitted_light<F>(scene, settings.direct_light, ray, bsdf_pdf, surface);
         if (bounce + 1 == settings.max_depth) break;
+        const BounceNumbers u = sampler.get_bounce(bounce);
         radiance += throughput * direct_light<F>(scene, settings.direct_light, surface, reflectance,
-                                                 wo, sampler, bounce, record);
+                                                 wo, u, record);
 
         // 3. A new direction, and the share of light that comes back from it.
-        const Vec2 u_lobe = sampler.get_2d(bounce_dimension(bounce, dimension::lobe_roulette));
-        const Vec2 u_direction = sampler.get_2d(bounce_dimension(bounce, dimension::direction));
         const BsdfSample scattered = sample_bsdf<F>(
-            material, reflectance, surface.shading.to_local(wo), u_lobe.x, u_direction);
+            material, reflectance, surface.shading.to_local(wo), u.lobe, u.direction);
         const Vec3 wi = surface.shading.to_world(scattered.wi);
         if (!scattered.valid || !sides_agree(surface, wi)) {
             record.end = PathEnd::absorbed;
             break;
         }
         throughput *= scattered.weight;
-        if (settings.roulette && !survives_roulette(throughput, bounce, u_lobe.y)) {
+        if (settings.roulette && !survives_roulette(throughput, bounce, u.roulette)) {
             record.end = PathEnd::roulette;
             break;
         }

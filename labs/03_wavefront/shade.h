@@ -13,11 +13,11 @@
 
 namespace raylab::lab03 {
 
-// Russian roulette: from the fourth surface on, a path survives with probability q = the largest
-// channel of its throughput, and survivors count 1/q, so the mean stays.
+// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q, and
+// survivors count 1/q, so the mean stays.
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
-    if (bounce < 3) return true;
-    const float q = fminf(max_component(throughput), 1.0f);
+    if (bounce < 1) return true;
+    const float q = glm::min(1.0f, 2.5f * max_component(throughput));
     if (u >= q) return false;
     throughput /= q;
     return true;
@@ -47,9 +47,9 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     }
 
     // What it would scatter of a light source, if nothing is in the way.
-    const Sampler sampler = sampler_of(wave, slot);
+    const BounceNumbers u = sampler_of(wave, slot).get_bounce(bounce);
     const Feeler feeler =
-        feeler_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, sampler, bounce);
+        feeler_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
     if (feeler.sent) {
         pool.feeler_origin[slot] = feeler.ray.o;
         pool.feeler_direction[slot] = feeler.ray.d;
@@ -60,15 +60,13 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     }
 
     // A new direction, and the share of light that comes back from it.
-    const Vec2 u_lobe = sampler.get_2d(bounce_dimension(bounce, dimension::lobe_roulette));
-    const Vec2 u_direction = sampler.get_2d(bounce_dimension(bounce, dimension::direction));
     const BsdfSample scattered =
-        sample_bsdf<F>(material, reflectance, surface.shading.to_local(wo), u_lobe.x, u_direction);
+        sample_bsdf<F>(material, reflectance, surface.shading.to_local(wo), u.lobe, u.direction);
     const Vec3 wi = surface.shading.to_world(scattered.wi);
     Vec3 onward = throughput * scattered.weight;
     if (!scattered.valid || !sides_agree(surface, wi)) {
         end_path(pool, slot, PathEnd::absorbed);
-    } else if (settings.roulette && !survives_roulette(onward, bounce, u_lobe.y)) {
+    } else if (settings.roulette && !survives_roulette(onward, bounce, u.roulette)) {
         end_path(pool, slot, PathEnd::roulette);
     } else {
         const Ray next = spawn_ray(surface, wi);

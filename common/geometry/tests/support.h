@@ -6,7 +6,9 @@
 #pragma once
 
 #include "common/geometry/intersect.h"
+#include "common/geometry/make_quad.h"
 #include "common/geometry/offset.h"
+#include "common/scene/quad_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -91,9 +93,7 @@ constexpr Features all_shapes =
     feature::sphere | feature::quad | feature::plane | feature::triangle;
 
 inline Quad make_quad(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    Quad quad{{a, b, c, d}, {}, {0, 0, -1}};
-    quad.normal = Vec3(glm::normalize(cross(DVec3(b) - DVec3(a), DVec3(d) - DVec3(a))));
-    return quad;
+    return raylab::make_quad({a, b, c, d}, {0, 0, -1});
 }
 
 inline Triangle make_triangle(Vec3 a, Vec3 b, Vec3 c) {
@@ -106,6 +106,7 @@ inline Triangle make_triangle(Vec3 a, Vec3 b, Vec3 c) {
 struct World {
     std::vector<Sphere> spheres;
     std::vector<Quad> quads;
+    mutable std::vector<QuadGroup> quad_groups;
     std::vector<Plane> planes;
     std::vector<Triangle> triangles;
     std::vector<TriangleRun> runs;
@@ -135,6 +136,8 @@ struct World {
         SceneView scene{};
         scene.spheres = {spheres.data(), int(spheres.size())};
         scene.quads = {quads.data(), int(quads.size())};
+        quad_groups = group_quads(quads);
+        scene.quad_groups = {quad_groups.data(), int(quad_groups.size())};
         scene.planes = {planes.data(), int(planes.size())};
         scene.triangles = {triangles.data(), int(triangles.size())};
         scene.runs = {runs.data(), int(runs.size())};
