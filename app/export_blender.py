@@ -1,10 +1,26 @@
-import math import sys
+import sys
 
-    import bpy from mathutils import Matrix
+import bpy
+from mathutils import Matrix
 
-    def shader(name, material) : ""
-                                 "Cycles' nodes of one of raylab's materials."
-                                 "" result = bpy.data.materials.new(name) result.use_nodes = True nodes, links = result.node_tree.nodes, result.node_tree.links nodes.clear() output = nodes.new("ShaderNodeOutputMaterial") if material["kind"] == "diffuse" :surface = nodes.new("ShaderNodeBsdfDiffuse") elif material["kind"] == "mirror" :surface = nodes.new("ShaderNodeBsdfGlossy") elif material["kind"] == "glass" :surface = nodes.new("ShaderNodeBsdfGlass") surface.inputs["IOR"].default_value = material["ior"] surface.inputs["Color"].default_value =(* material["reflectance"], 1) surface.inputs["Roughness"].default_value = 0 if material["kind"] != "diffuse" and bpy.app.version< (4, 0, 0):
+
+def shader(name, material):
+    """Cycles' nodes of one of raylab's materials."""
+    result = bpy.data.materials.new(name)
+    result.use_nodes = True
+    nodes, links = result.node_tree.nodes, result.node_tree.links
+    nodes.clear()
+    output = nodes.new("ShaderNodeOutputMaterial")
+    if material["kind"] == "diffuse":
+        surface = nodes.new("ShaderNodeBsdfDiffuse")
+    elif material["kind"] == "mirror":
+        surface = nodes.new("ShaderNodeBsdfGlossy")
+    elif material["kind"] == "glass":
+        surface = nodes.new("ShaderNodeBsdfGlass")
+        surface.inputs["IOR"].default_value = material["ior"]
+    surface.inputs["Color"].default_value = (*material["reflectance"], 1)
+    surface.inputs["Roughness"].default_value = 0
+    if material["kind"] != "diffuse" and bpy.app.version < (4, 0, 0):
         surface.distribution = "SHARP"  # later versions: roughness 0 means it
     light = surface.outputs[0]
     if any(material["emission"]):

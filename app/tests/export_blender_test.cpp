@@ -7,6 +7,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <fstream>
+
 namespace raylab::app {
 namespace {
 
@@ -46,6 +49,15 @@ TEST(BlenderExport, SaysWhatTheSceneSays) {
     std::size_t faces = 0;
     for (const json& mesh : data["meshes"]) faces += mesh["faces"].size();
     EXPECT_EQ(faces, 12u); // six quads
+}
+
+TEST(BlenderExport, IsPython) {
+    if (std::system("python3 -c '' 2>/dev/null") != 0) GTEST_SKIP() << "no python3 is installed";
+    const std::string file = testing::TempDir() + "raylab_blender_scene.py";
+    std::ofstream(file) << blender_files(load_scene(find_scene("cornell"))).at(0).bytes;
+    EXPECT_EQ(
+        std::system(("python3 -c 'import ast; ast.parse(open(\"" + file + "\").read())'").c_str()),
+        0);
 }
 
 TEST(BlenderExport, RefusesWithOneSentenceWhatItDoesNotKnow) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -98,15 +99,18 @@ ProcessResult run_process(const std::vector<std::string>& command, double limit)
 std::string why_failed(const ProcessResult& result) {
     const std::string what =
         result.failure.empty() ? fmt::format("exit status {}", result.exit_code) : result.failure;
-    // The last line that speaks of an error, or else the last line that says anything.
+    // The last exception of Python's, or else the last line that speaks of an error, or says
+    // anything.
     std::istringstream lines(result.output);
-    std::string said, error;
+    std::string said, error, exception;
     for (std::string line; std::getline(lines, line);) {
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         said = line;
-        if (line.find("rror") != std::string::npos) error = line;
+        const std::size_t at = line.find("rror");
+        if (at != std::string::npos) error = line;
+        if (at != std::string::npos && at > 1 && std::isalpha(line[at - 2])) exception = line;
     }
-    const std::string& words = error.empty() ? said : error;
+    const std::string& words = !exception.empty() ? exception : !error.empty() ? error : said;
     return result.timed_out || words.empty() ? what : what + ": " + words;
 }
 

@@ -33,7 +33,7 @@ struct TraversalResult {
 // "Embree 3.13.5", or empty without it.
 std::string embree_version();
 
-// One ray through the middle of each pixel of a film of at most 128 x 128, and from what they hit
+// One ray through each pixel of a film of at most 128 x 128, and from what they hit
 // one ray in a cosine-distributed direction. Throws ContestantError if the scene has no polygons.
 TraversalResult bench_traversal(const Scene& scene, int rounds);
 

@@ -20,6 +20,8 @@ TEST(Process, GivesOutputAndExitStatus) {
     EXPECT_FALSE(failed.succeeded());
     EXPECT_EQ(why_failed(failed), "exit status 3: Error: no wine");
     EXPECT_EQ(why_failed(shell("echo last words; exit 1")), "exit status 1: last words");
+    EXPECT_EQ(why_failed(shell("echo 'ImportError: x'; echo 'Error: script failed'; exit 1")),
+              "exit status 1: ImportError: x");
     EXPECT_THAT(why_failed(shell("kill -SEGV $$")), HasSubstr("signal 11"));
 }
 
