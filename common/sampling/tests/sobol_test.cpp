@@ -33,6 +33,19 @@ TEST(Sobol, the_butterfly_is_the_generator_matrix) {
     }
 }
 
+// Joe and Kuo's recurrence as their paper writes it, for x^2 + x + 1 and x^3 + x + 1:
+//     m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ ... ^ 2^s m_(k-s) ^ m_(k-s),   v_k = m_k / 2^k.
+TEST(Sobol, the_third_and_fourth_direction_numbers_follow_their_polynomials) {
+    std::uint64_t third[33] = {0, 1, 3}, fourth[33] = {0, 1, 3, 1};
+    for (int k = 3; k <= 32; ++k) third[k] = 2 * third[k - 1] ^ 4 * third[k - 2] ^ third[k - 2];
+    for (int k = 4; k <= 32; ++k) fourth[k] = 4 * fourth[k - 2] ^ 8 * fourth[k - 3] ^ fourth[k - 3];
+    const DirectionNumbers numbers;
+    for (int k = 1; k <= 32; ++k) {
+        EXPECT_EQ(reverse_bits(numbers.third[k - 1]), third[k] << (32 - k)) << k;
+        EXPECT_EQ(reverse_bits(numbers.fourth[k - 1]), fourth[k] << (32 - k)) << k;
+    }
+}
+
 TEST(Sobol, reversing_bits_reverses_bits) {
     for (int bit = 0; bit < 32; ++bit) EXPECT_EQ(reverse_bits(1u << bit), 0x80000000u >> bit);
     EXPECT_EQ(reverse_bits(0x12345678u), 0x1e6a2c48u);
@@ -66,9 +79,52 @@ int worst_count(const Points& point, std::uint32_t first, int m) {
     return worst;
 }
 
+// The point in the pixel and the first direction are one point in four dimensions. Two of the first
+// four Sobol dimensions make nets of quality t <= 2 at worst: at most 2^t points in a box for one.
+TEST(Sobol, film_and_first_direction_are_spread_together) {
+    const auto coordinate = [](std::uint32_t i, int d) {
+        const Sampler sampler{SamplerKind::sobol, 7, 123, i};
+        const Vec2 u = sampler.get_2d(d < 2 ? dimension::film : dimension::first_direction);
+        return d % 2 ? u.y : u.x;
+    };
+    for (int a = 0; a < 4; ++a)
+        for (int b = a + 1; b < 4; ++b)
+            for (int m = 2; m <= 10; ++m)
+                ASSERT_LE(
+                    worst_count([&](auto i) { return Vec2(coordinate(i, a), coordinate(i, b)); }, 0,
+                                m),
+                    4)
+                    << "dimensions " << a << ", " << b << ", m " << m;
+    // Padded pairs, each in its own order, are spread in themselves alone.
+    const auto padded = [](std::uint32_t i) {
+        const Sampler sampler{SamplerKind::sobol, 7, 123, i};
+        return Vec2(sampler.get_2d(dimension::film).x,
+                    sampler.get_2d(bounce_dimension(1, dimension::direction)).x);
+    };
+    EXPECT_GT(worst_count(padded, 0, 10), 4);
+}
+
+TEST(Sampler, a_bounce_has_the_numbers_of_its_pairs) {
+    for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent})
+        for (std::uint32_t bounce = 0; bounce < 5; ++bounce)
+            for (std::uint32_t sample = 0; sample < 100; ++sample) {
+                const Sampler sampler{kind, 3, 1000 + bounce, sample};
+                const BounceNumbers u = sampler.get_bounce(bounce);
+                const auto pair = [&](std::uint32_t decision) {
+                    return sampler.get_2d(bounce_dimension(bounce, decision));
+                };
+                ASSERT_EQ(u.light_point, pair(dimension::light_point));
+                ASSERT_EQ(u.light_choice, pair(dimension::light_choice).x);
+                ASSERT_EQ(u.direction, pair(dimension::direction));
+                ASSERT_EQ(u.lobe, pair(dimension::lobe_roulette).x);
+                ASSERT_EQ(u.roulette, pair(dimension::lobe_roulette).y);
+            }
+}
+
 TEST(Sobol, every_block_of_a_power_of_two_is_a_net) {
     const int largest = test::count(10, 14);
     for (std::uint32_t key = 0; key < 16; ++key) {
+        if (key == dimension::first_direction) continue; // dimensions three and four: below
         const Sampler sampler{SamplerKind::sobol, key % 3, key * 77, 0};
         const Points point = [&](std::uint32_t i) {
             Sampler s = sampler;
