@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <sstream>
 
 namespace raylab::app {
@@ -38,6 +40,31 @@ std::string compiler_errors(const std::string& output, const fs::path& root) {
     return errors;
 }
 
+// Ninja's last "[12/42] ..." as a progress line.
+class BuildProgress {
+  public:
+    void operator()(const std::string& output) {
+        const std::size_t line = output.rfind("\n[", output.size() - 1);
+        const std::size_t at = line == output.npos ? 0 : line + 1;
+        int done = 0, of = 0;
+        char close = 0; // not there yet: the line is not whole
+        if (std::sscanf(output.c_str() + at, "[%d/%d%c", &done, &of, &close) != 3) return;
+        if (!progress_) progress_.emplace("building", of, "files", 1);
+        progress_->update(done);
+    }
+
+  private:
+    std::optional<Progress> progress_;
+};
+
+ProcessOutcome build_target(const Tree& tree, const std::string& target) {
+    return run_process({"cmake", "--build", tree.build.string(), "--target", target}, tree.root,
+                       build_limit_seconds,
+                       [progress = std::make_shared<BuildProgress>()](const std::string& output) {
+                           (*progress)(output);
+                       });
+}
+
 } // namespace
 
 bool CheckReport::passed() const {
@@ -49,9 +76,7 @@ bool CheckReport::passed() const {
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
                         const std::vector<std::string>& ids) {
     CheckReport report{sheet, "", {}, 0, 0};
-    const ProcessOutcome build =
-        run_process({"cmake", "--build", tree.build.string(), "--target", sheet.test_target},
-                    tree.root, build_limit_seconds);
+    const ProcessOutcome build = build_target(tree, sheet.test_target);
     report.build_seconds = build.seconds;
     if (!build.succeeded()) {
         report.compiler_errors = compiler_errors(build.output, tree.root);

@@ -30,7 +30,8 @@ namespace {
 }
 
 // Reads until the other end is closed or the time is up; false if it was up.
-bool read_until(int fd, std::string& text, std::chrono::steady_clock::time_point deadline) {
+bool read_until(int fd, std::string& text, std::chrono::steady_clock::time_point deadline,
+                const std::function<void(const std::string&)>& watch) {
     char block[1 << 14];
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -44,13 +45,15 @@ bool read_until(int fd, std::string& text, std::chrono::steady_clock::time_point
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) return true;
         text.append(block, static_cast<std::size_t>(n));
+        if (watch) watch(text);
     }
 }
 
 } // namespace
 
 ProcessOutcome run_process(const std::vector<std::string>& command,
-                           const std::filesystem::path& folder, double limit_seconds) {
+                           const std::filesystem::path& folder, double limit_seconds,
+                           const std::function<void(const std::string&)>& watch) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -73,7 +76,8 @@ ProcessOutcome run_process(const std::vector<std::string>& command,
         outcome.timed_out =
             !read_until(output[0], outcome.output,
                         start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                    std::chrono::duration<double>(limit_seconds)));
+                                    std::chrono::duration<double>(limit_seconds)),
+                        watch);
     close(output[0]);
     if (outcome.timed_out) kill(-child, SIGKILL);
     int status = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct ProcessOutcome {
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments, in the given folder.
-// Standard input is empty. When the time is up, it is killed with all its children. Throws
-// std::system_error if it cannot be started.
+// Standard input is empty. When the time is up, it is killed with all its children. `watch` sees
+// the output so far whenever there is more. Throws std::system_error if it cannot be started.
 ProcessOutcome run_process(const std::vector<std::string>& command,
-                           const std::filesystem::path& folder, double limit_seconds);
+                           const std::filesystem::path& folder, double limit_seconds,
+                           const std::function<void(const std::string& output)>& watch = nullptr);
 
 } // namespace raylab
