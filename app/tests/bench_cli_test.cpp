@@ -43,13 +43,14 @@ class BenchCli : public Cli {
         return " --peers cycles --blender " + in("blender");
     }
 
-    std::string bench(const std::string& more) const {
-        return "bench " + in("room.json") + " --spp 4,64 -o " + in("out") + " " + more;
+    std::string bench(const std::string& more, const std::string& spp = "4,64") const {
+        return "bench " + in("room.json") + " --spp " + spp + " -o " + in("out") + " " + more;
     }
 
     json row(const std::string& name) const {
         std::ifstream file(in("out/bench.json"));
-        for (const json& row : json::parse(file)["scenes"][0]["rows"])
+        const json bench = json::parse(file);
+        for (const json& row : bench["scenes"][0]["rows"])
             if (row["name"] == name) return row;
         return {};
     }
@@ -100,8 +101,8 @@ TEST_F(BenchCli, APeerWithAWrongImageGetsNoRatio) {
 }
 
 TEST_F(BenchCli, WrongUsageIsRefusedBeforeTheWork) {
-    expect_refused(bench("--peers none --spp 4"), {"--spp", "two different"});
-    expect_refused(bench("--peers none --spp 4,4"), {"--spp", "two different"});
+    expect_refused(bench("--peers none", "4"), {"--spp", "two different"});
+    expect_refused(bench("--peers none", "4,4"), {"--spp", "two different"});
     expect_refused(bench("--peers none --repeats 3"), {"--repeats"});
     expect_refused(bench("--peers pov"), {"no peer 'pov'", "mitsuba_llvm"});
     expect_refused(bench("--peers none --labs 77"), {"no lab '77'"});

@@ -62,7 +62,7 @@ TEST(BlenderExport, IsPython) {
 
 TEST(BlenderExport, RefusesWithOneSentenceWhatItDoesNotKnow) {
     EXPECT_THAT(refusal("whitted"), HasSubstr("whole paths"));
-    EXPECT_THAT(refusal("thin_lens"), HasSubstr("lens"));
+    EXPECT_THAT(refusal("depth_of_field"), HasSubstr("lens"));
     EXPECT_THAT(refusal("soft_shadow"), HasSubstr("endless planes"));
     EXPECT_THAT(refusal("hdr_environment"), HasSubstr("Blender Cycles"));
     EXPECT_THAT(refusal("point_in_sphere"), HasSubstr("point lights"));

@@ -2,26 +2,40 @@
 
 namespace raylab::bench {
 
+namespace {
+
+// Draws if the contestant has not failed yet; nothing if it has, or does now.
+std::optional<Drawn> draw(const Contestant& contestant, Turns& turns, int spp, std::uint32_t seed) {
+    if (!turns.failure.empty()) return {};
+    try {
+        Drawn drawn = contestant.render(spp, seed);
+        drawn.spp = spp;
+        drawn.image.variance = {}; // of no use here, and as large as the image
+        return drawn;
+    } catch (const ContestantError& error) {
+        turns.failure = error.what();
+        return {};
+    }
+}
+
+} // namespace
+
 std::vector<Turns> take_turns(const std::vector<Contestant>& contestants, const Plan& plan,
                               const std::function<void(int)>& after_run) {
     std::vector<Turns> all;
     for (const Contestant& c : contestants) all.push_back({c.name, c.title, "", {}});
     std::uint32_t seed = plan.first_seed;
+    // Once for nothing: caches on disk and compiled kernels are there from now on.
+    for (std::size_t who = 0; who < all.size(); ++who)
+        draw(contestants[who], all[who], plan.spp.front(), seed++);
     int runs = 0;
     for (int round = 0; round < plan.rounds; ++round) {
         for (Turns& turns : all) turns.drawn.emplace_back();
         for (const int spp : plan.spp)
             for (std::size_t i = 0; i < all.size(); ++i) {
                 const std::size_t who = (i + static_cast<std::size_t>(round)) % all.size();
-                if (all[who].failure.empty()) try {
-                        Drawn drawn = contestants[who].render(spp, seed);
-                        drawn.spp = spp;
-                        drawn.image.variance = {}; // of no use here, and as large as the image
-                        all[who].drawn.back().push_back(std::move(drawn));
-                    } catch (const ContestantError& error) {
-                        all[who].failure = error.what();
-                    }
-                ++seed;
+                if (auto drawn = draw(contestants[who], all[who], spp, seed++))
+                    all[who].drawn.back().push_back(std::move(*drawn));
                 if (after_run) after_run(++runs);
             }
     }
