@@ -116,13 +116,15 @@ void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
     app.add_flag("--first-bounce-cache", wavefront.first_bounce_cache,
                  "trace camera rays once, for all iterations")
         ->group(group);
+    app.add_flag("--regenerate", wavefront.regenerate, "ended paths make room for new ones at once")
+        ->group(group);
 }
 
 void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront) {
     if (lab.has_pool || wavefront == WavefrontSettings{}) return;
     throw UsageError(fmt::format("lab {} has no pool of rays: --compact, --scan, --sort, --pool, "
-                                 "--shuffle, --memory-budget, --shared-geometry and "
-                                 "--first-bounce-cache are for lab 03",
+                                 "--shuffle, --memory-budget, --shared-geometry, "
+                                 "--first-bounce-cache and --regenerate are for lab 03",
                                  lab.number));
 }
 

@@ -52,6 +52,11 @@ std::vector<Case> cases() {
          film(256, 256),
          {.pool = 256},
          "one batch holds the pool, full or nearly empty: fewer blocks are not fewer batches"},
+        {"pool always full",
+         "cornell",
+         film(256, 256),
+         {.pool = 16384, .regenerate = true},
+         "ended paths make room for new ones at once: nothing to remove until the pixels run out"},
         {"one material",
          "cornell_peers",
          film(256, 256),
@@ -89,13 +94,15 @@ Counts counts_of(const Ledger& ledger) {
     for (const StageCounts& stage : ledger.stages) {
         counts.launches += stage.launches;
         in_stages += stage.seconds;
-        if (stage.name == "intersect") counts.iterations = stage.launches;
+        if (stage.name == "intersect") {
+            counts.iterations = stage.launches;
+            counts.blocks = stage.blocks;
+        }
         if (stage.name == "compact" || stage.name == "sort")
             counts.removing += stage.seconds / ledger.seconds;
     }
     for (const BounceCounts& bounce : ledger.bounces) {
         counts.rays += bounce.rays;
-        counts.blocks += bounce.blocks;
         counts.batches += bounce.batches;
     }
     counts.between = std::max(0.0, 1 - in_stages / ledger.seconds);
@@ -115,6 +122,7 @@ Row measure(const Case& shown, const MachineSettings& machine, int rounds) {
     off.wavefront = on.wavefront = shown.wavefront;
     off.wavefront.compact_every = 0;
     off.wavefront.sort = MaterialSort::off;
+    off.wavefront.regenerate = false;
     Contestant megakernel{find_lab("02").make(scene, machine)};
     Contestant without{find_lab("03").make(scene, off)}, with{find_lab("03").make(scene, on)};
     // Enough iterations a round that it takes some hundredths of a second.

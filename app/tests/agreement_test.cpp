@@ -111,6 +111,7 @@ TEST_P(EveryScene, WavefrontLabHasTheBitsOfTheIterativeOne) {
           WavefrontSettings{.compact_every = 3, .scan = ScanKind::serial, .pool = 131},
           WavefrontSettings{.sort = MaterialSort::on, .pool = 500, .shuffle = 9},
           WavefrontSettings{.sort = MaterialSort::queues, .shuffle = 77},
+          WavefrontSettings{.sort = MaterialSort::on, .pool = 90, .shuffle = 5, .regenerate = true},
           WavefrontSettings{.compact_every = 2, .sort = MaterialSort::queues, .pool = 77}})
         for (const int block : {32, 1000}) {
             // One host thread: launches so small are not worth waking another.

@@ -36,13 +36,4 @@ HD void accumulate_path(const Wave& wave, int slot, const Results& results) {
     //]
 }
 
-__device__ inline void count_end(const Results& results, const PathRecord& record) {
-    const int shard = static_cast<int>(blockIdx.x % shards);
-    const int length = record.length < results.bounces ? record.length : results.bounces;
-    if (length == 0) return; // never traced
-    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
-    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
-    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
-}
-
 } // namespace raylab::lab03

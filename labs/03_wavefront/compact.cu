@@ -3,10 +3,10 @@
 
 #include "common/device/launch.h"
 #include "common/task/not_implemented.h"
-
-#include <fmt/format.h>
+#include "labs/03_wavefront/grid.h"
 
 #include <stdexcept>
+#include <string>
 
 namespace raylab::lab03 {
 
@@ -45,9 +45,9 @@ __global__ void scatter_split(const int* slots, int n, const std::uint32_t* flag
     //]
 }
 
-} // namespace
-
-__global__ void count_alive(const std::uint8_t* alive, const int* live, int n, Counters* counters) {
+// One thread a warp of the list.
+__global__ void count_alive_kernel(const std::uint8_t* alive, const int* live, int n,
+                                   Counters* counters) {
     const std::int64_t first = global_index() * 32;
     if (first >= n) return;
     int sum = 0;
@@ -56,6 +56,8 @@ __global__ void count_alive(const std::uint8_t* alive, const int* live, int n, C
     atomicAdd(&counters->alive, sum);
     atomicAdd(&counters->busy_warps, 1);
 }
+
+} // namespace
 
 Compaction::Compaction(ScanKind scan, int capacity, int block_size)
     : scan_(scan_function(scan)), block_(block_size), flags_(capacity), places_(capacity),
@@ -74,8 +76,9 @@ int Compaction::scan_flags(int n) {
           "the last place");
     const std::uint32_t sum = last[0] + last[1];
     if (sum > static_cast<std::uint32_t>(n))
-        throw std::runtime_error(fmt::format(
-            "the scan of {} flags, each 0 or 1, gives the sum {}: the scan is wrong", n, sum));
+        throw std::runtime_error("the scan of " + std::to_string(n) +
+                                 " flags, each 0 or 1, gives " + std::to_string(sum) +
+                                 ": the scan is wrong");
     return static_cast<int>(sum);
 }
 
@@ -107,6 +110,13 @@ void Compaction::split_by_bit(const std::uint8_t* key, int bit, const int* slots
     //| not_implemented("3.3", "Compaction::split_by_bit()");
     //| check(cudaMemcpy(result, slots, n * sizeof(int), cudaMemcpyDeviceToDevice), "copying the list");
     //]
+}
+
+void Compaction::count_alive(const std::uint8_t* alive, const int* live, int n,
+                             Counters* counters) {
+    const int warps = blocks_for(n, 32);
+    count_alive_kernel<<<blocks_for(warps, block_), block_>>>(alive, live, n, counters);
+    check(cudaGetLastError(), "count_alive_kernel");
 }
 
 } // namespace raylab::lab03

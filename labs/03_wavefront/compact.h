@@ -29,6 +29,10 @@ class Compaction {
     // in its order: one step of a radix sort. key: of each slot.
     void split_by_bit(const std::uint8_t* key, int bit, const int* slots, int n, int* result);
 
+    // How many of live[0 ... n) are alive, and how many warps hold one, added to the counters: for
+    // lists that stay as they are.
+    void count_alive(const std::uint8_t* alive, const int* live, int n, Counters* counters);
+
   private:
     int scan_flags(int n); // flags_ -> places_; returns the sum of flags_
 
@@ -36,9 +40,5 @@ class Compaction {
     int block_;
     DeviceArray<std::uint32_t> flags_, places_, workspace_;
 };
-
-// How many of live[0 ... n) are alive, and how many warps hold one: for lists that stay as they
-// are. Added to counters, by one thread a warp.
-__global__ void count_alive(const std::uint8_t* alive, const int* live, int n, Counters* counters);
 
 } // namespace raylab::lab03

@@ -7,7 +7,7 @@
 #include "common/scene/variants.h"
 #include "common/task/not_implemented.h"
 #include "labs/03_wavefront/generate.h"
-#include "labs/03_wavefront/scan.h"
+#include "labs/03_wavefront/grid.h"
 #include "labs/03_wavefront/shade.h"
 #include "labs/03_wavefront/shade_whitted.h"
 #include "labs/03_wavefront/shared_geometry.h"
@@ -70,6 +70,15 @@ __global__ void shade_kernel(const Wave* wave, const int* slots, int n) {
         push(wave->queues.feelers, wave->queues.counters->feelers, slot);
 }
 
+__device__ void count_end(const Results& results, const PathRecord& record) {
+    const int shard = static_cast<int>(blockIdx.x % shards);
+    const int length = record.length < results.bounces ? record.length : results.bounces;
+    if (length == 0) return; // never traced
+    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
+    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
+    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
+}
+
 // In the order of MaterialKind.
 constexpr Features kind_features[material_kinds] = {feature::diffuse,   feature::mirror,
                                                     feature::glass,     feature::phong,
@@ -108,16 +117,27 @@ StageKernels choose_kernels(Features features, Integrator integrator, bool share
     });
 }
 
-__global__ void generate_kernel(const Wave* wave, int first, int n, std::uint32_t shuffle,
-                                int* live) {
+__global__ void generate_kernel(const Wave* wave, int first, int n, int dealt,
+                                std::uint32_t shuffle, int* live) {
     //[ task 3.1
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = static_cast<int>(i);
-    generate_path(*wave, slot, first + shuffled(slot, n, shuffle));
+    generate_path(*wave, slot, first + shuffled(slot, dealt, shuffle));
     live[i] = slot;
     //| not_implemented("3.1", "generate_kernel()");
     //]
+}
+
+__global__ void regenerate_kernel(const Wave* wave, const int* live, int n, int* next, int pixels,
+                                  std::uint32_t shuffle, Results results) {
+    const std::int64_t i = global_index();
+    if (i >= n || wave->pool.alive[live[i]]) return;
+    const int slot = live[i];
+    accumulate_path(*wave, slot, results);
+    count_end(results, wave->pool.record[slot]);
+    const int pixel = atomicAdd(next, 1);
+    if (pixel < pixels) generate_path(*wave, slot, shuffled(pixel, pixels, shuffle));
 }
 
 __global__ void accumulate_kernel(const Wave* wave, int n, Results results) {

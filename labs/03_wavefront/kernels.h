@@ -22,10 +22,16 @@ struct StageKernels {
 // shared_geometry: intersect and shadow want geometry_bytes() of dynamic shared memory.
 StageKernels choose_kernels(Features features, Integrator integrator, bool shared_geometry);
 
-// Fills slots 0 ... n - 1 with the paths of pixels first ... first + n - 1, and the list with them.
-__global__ void generate_kernel(const Wave* wave, int first, int n, std::uint32_t shuffle,
-                                int* live);
+// Fills slots 0 ... n - 1, and the list, with the paths of n of the pixels first ... first +
+// dealt - 1, which are dealt out in the order that the seed `shuffle` says.
+__global__ void generate_kernel(const Wave* wave, int first, int n, int dealt,
+                                std::uint32_t shuffle, int* live);
 
 __global__ void accumulate_kernel(const Wave* wave, int n, Results results);
+
+// Accumulates the paths of the list that have ended, and starts those of the pixels from *next on
+// in their slots, as long as there are pixels.
+__global__ void regenerate_kernel(const Wave* wave, const int* live, int n, int* next, int pixels,
+                                  std::uint32_t shuffle, Results results);
 
 } // namespace raylab::lab03

@@ -1,11 +1,7 @@
 // Queues of slots: what one stage finds out and a later one works off.
-//
-// A thread takes its place by an atomic addition. Which path gets which place depends on chance,
-// but paths share nothing, so the image does not.
 #pragma once
 
 #include "common/material/material.h"
-#include "common/simt/cuda.h"
 
 namespace raylab::lab03 {
 
@@ -24,7 +20,5 @@ struct Queues {
     int* feelers;              // slots whose shadow feeler is on its way
     Counters* counters;
 };
-
-__device__ inline void push(int* queue, int& size, int slot) { queue[atomicAdd(&size, 1)] = slot; }
 
 } // namespace raylab::lab03

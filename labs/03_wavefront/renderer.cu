@@ -12,8 +12,6 @@
 #include "labs/03_wavefront/shared_geometry.h"
 #include "labs/03_wavefront/stages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -54,8 +52,11 @@ class WavefrontRenderer final : public Renderer {
         const auto start = std::chrono::steady_clock::now();
         configure_machine(machine_);
         write_wave();
-        for (int first = 0; first < pixels_; first += pool_paths_)
-            trace_batch(first, std::min(pool_paths_, pixels_ - first));
+        if (settings_.regenerate)
+            trace_all();
+        else
+            for (int first = 0; first < pixels_; first += pool_paths_)
+                trace_batch(first, std::min(pool_paths_, pixels_ - first));
         check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
         ++samples_;
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -76,13 +77,29 @@ class WavefrontRenderer final : public Renderer {
     void trace_batch(int first, int n) {
         generate(first, n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
         for (int bounce = 0; alive_ > 0 && bounce < most_bounces_; ++bounce) {
-            intersect(bounce); // 3. ONE bounce of every ray,
+            intersect(&bounces_[ledger_row(bounce)]); // 3. ONE bounce of every ray,
             sort_by_material();
             shade();
             shadow();             //    and the next rays recorded in the pool.
             remove_ended(bounce); // 4. Terminated rays leave the pool.
         }                         // 5. Repeat.
         accumulate(n);
+    }
+
+    // The same with *persistent paths*: a path that ends makes room for the next pixel's at once,
+    // so that the pool stays full and there is nothing to remove until the pixels run out. Paths of
+    // all bounces share a launch. Aila and Laine, Understanding the Efficiency of Ray Traversal on
+    // GPUs, HPG 2009, section 3.3; Novak, Havran and Dachsbacher, Path Regeneration, 2010.
+    void trace_all() {
+        generate(0, pool_paths_);
+        set_next_pixel(pool_paths_);
+        while (alive_ > 0) {
+            intersect(nullptr);
+            sort_by_material();
+            shade();
+            shadow();
+            regenerate();
+        }
     }
 
     // A thread for each of the n slots in the list; none, no launch.
@@ -95,13 +112,20 @@ class WavefrontRenderer final : public Renderer {
 
     void write_wave();
     void generate(int first, int n);
-    void intersect(int bounce);
+    void intersect(BounceCounts* counts); // counts: of this bounce, or null
     void sort_by_material();
     void shade();
     void shadow();
     void remove_ended(int bounce);
     void accumulate(int n);
+    void set_next_pixel(int pixel) { next_pixel_.assign({&pixel, 1}); }
+    void regenerate();
+    void keep_alive();
 
+    Results results() {
+        return {film_.data(), records_.data(), tallies_.data(), shadow_rays_.data(),
+                results_bounces_};
+    }
     int ledger_row(int bounce) const { return std::min(bounce, results_bounces_ - 1); }
     Counters read_counters() const { return counters_.to_host().front(); }
 
@@ -122,6 +146,7 @@ class WavefrontRenderer final : public Renderer {
     std::array<DeviceArray<int>, material_kinds> kind_queues_;
     DeviceArray<int> feelers_;
     DeviceArray<Counters> counters_;
+    DeviceArray<int> next_pixel_; // the first without a path yet, of paths that regenerate
     DeviceArray<Hit> first_hits_; // a pixel each, or none
 
     DeviceArray<FilmPixel> film_;
@@ -145,8 +170,8 @@ WavefrontRenderer::WavefrontRenderer(const Scene& scene, const MachineSettings& 
       most_bounces_(scene.render.max_depth), results_bounces_(scene.render.max_depth),
       pool_(pool_paths, branches(scene.render)), wave_(1), live_(pool_paths), spare_(pool_paths),
       compaction_(settings_.scan, pool_paths, machine.block_size), feelers_(pool_paths),
-      counters_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0), film_(pixels_),
-      records_(pixels_), shadow_rays_(shards) {
+      counters_(1), next_pixel_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0),
+      film_(pixels_), records_(pixels_), shadow_rays_(shards) {
     if (scene.render.integrator == Integrator::whitted) {
         most_bounces_ = 1 << scene.render.max_depth; // every node of a tree
         results_bounces_ = 64;
@@ -174,16 +199,21 @@ void WavefrontRenderer::write_wave() {
 void WavefrontRenderer::generate(int first, int n) {
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     clock_->time(Stage::generate, blocks, std::uint64_t{1} * blocks * block, [&] {
-        generate_kernel<<<blocks, block>>>(wave_.data(), first, n, settings_.shuffle, live_.data());
+        generate_kernel<<<blocks, block>>>(wave_.data(), first, n,
+                                           settings_.regenerate ? pixels_ : n, settings_.shuffle,
+                                           live_.data());
     });
     listed_ = alive_ = n;
-    bounces_[0].lanes += std::uint64_t{1} * blocks_for(n, warp_lanes) * warp_lanes;
+    if (!settings_.regenerate)
+        bounces_[0].lanes += std::uint64_t{1} * blocks_for(n, warp_lanes) * warp_lanes;
 }
 
-void WavefrontRenderer::intersect(int bounce) {
+void WavefrontRenderer::intersect(BounceCounts* counts) {
     const LaunchSize size = launch_size(listed_, machine_.block_size, in_flight_);
-    bounces_[ledger_row(bounce)].blocks += size.blocks;
-    bounces_[ledger_row(bounce)].batches += size.batches;
+    if (counts) {
+        counts->blocks += size.blocks;
+        counts->batches += size.batches;
+    }
     counters_.clear();
     launch(Stage::intersect, kernels_.intersect, live_.data(), listed_, geometry_bytes_);
 }
@@ -214,23 +244,26 @@ void WavefrontRenderer::shadow() {
            geometry_bytes_);
 }
 
+void WavefrontRenderer::keep_alive() {
+    const int block = machine_.block_size, blocks = blocks_for(listed_, block);
+    clock_->time(Stage::compact, 2 * blocks, std::uint64_t{2} * blocks * block, [&] {
+        alive_ = compaction_.keep_alive(pool_.view().alive, live_.data(), listed_, spare_.data());
+    });
+    std::swap(live_, spare_);
+    listed_ = alive_;
+}
+
 void WavefrontRenderer::remove_ended(int bounce) {
     BounceCounts& next = bounces_[ledger_row(bounce + 1)];
-    const std::uint8_t* alive = pool_.view().alive;
-    const int block = machine_.block_size;
     if (settings_.compact_every > 0 && (bounce + 1) % settings_.compact_every == 0) {
-        const int blocks = blocks_for(listed_, block);
-        clock_->time(Stage::compact, 2 * blocks, std::uint64_t{2} * blocks * block, [&] {
-            listed_ = compaction_.keep_alive(alive, live_.data(), listed_, spare_.data());
-        });
-        std::swap(live_, spare_);
-        alive_ = listed_;
+        keep_alive();
         next.lanes += std::uint64_t{1} * blocks_for(alive_, warp_lanes) * warp_lanes;
         return;
     }
+    const int block = machine_.block_size;
     const int warps = blocks_for(listed_, warp_lanes), blocks = blocks_for(warps, block);
     clock_->time(Stage::compact, blocks, std::uint64_t{1} * blocks * block, [&] {
-        count_alive<<<blocks, block>>>(alive, live_.data(), listed_, counters_.data());
+        compaction_.count_alive(pool_.view().alive, live_.data(), listed_, counters_.data());
     });
     const Counters counters = read_counters();
     alive_ = counters.alive;
@@ -238,11 +271,20 @@ void WavefrontRenderer::remove_ended(int bounce) {
 }
 
 void WavefrontRenderer::accumulate(int n) {
-    const Results results = {film_.data(), records_.data(), tallies_.data(), shadow_rays_.data(),
-                             results_bounces_};
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     clock_->time(Stage::accumulate, blocks, std::uint64_t{1} * blocks * block,
-                 [&] { accumulate_kernel<<<blocks, block>>>(wave_.data(), n, results); });
+                 [&] { accumulate_kernel<<<blocks, block>>>(wave_.data(), n, results()); });
+}
+
+// Slots that find no pixel any more leave the list at once, or they would be accumulated twice.
+void WavefrontRenderer::regenerate() {
+    const int block = machine_.block_size, blocks = blocks_for(listed_, block);
+    clock_->time(Stage::accumulate, blocks, std::uint64_t{1} * blocks * block, [&] {
+        regenerate_kernel<<<blocks, block>>>(wave_.data(), live_.data(), listed_,
+                                             next_pixel_.data(), pixels_, settings_.shuffle,
+                                             results());
+    });
+    if (next_pixel_.to_host().front() > pixels_) keep_alive();
 }
 
 // The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays are
@@ -280,10 +322,10 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
     const WavefrontSettings& settings = machine.wavefront;
     const SceneView host = view(scene);
     if (settings.shared_geometry && geometry_bytes(host) > shared_memory_limit)
-        throw SettingsError(fmt::format(
-            "the shapes of '{}' take {} bytes, a block's shared memory has {}: leave the geometry "
-            "in global memory for this scene",
-            scene.name, geometry_bytes(host), shared_memory_limit));
+        throw SettingsError(
+            "the shapes of '" + scene.name + "' take " + std::to_string(geometry_bytes(host)) +
+            " bytes, a block's shared memory has " + std::to_string(shared_memory_limit) +
+            ": leave the geometry in global memory for this scene");
 
     if (settings.first_bounce_cache)
         if (const auto why_not = no_first_bounce_cache(scene))

@@ -9,9 +9,7 @@
 // elements are as good as ten. Any length, also 0. in and out are device memory and do not overlap.
 #pragma once
 
-#include "common/math/hd.h"
 #include "common/render/wavefront_settings.h"
-#include "common/simt/cuda.h"
 
 #include <cstdint>
 
@@ -31,14 +29,5 @@ ScanFunction scan_library;   // CUB on a GPU, the standard library on the CPU ma
 ScanFunction* scan_function(ScanKind kind);
 std::int64_t scan_workspace(ScanKind kind, std::int64_t n);
 std::int64_t scan_library_workspace(std::int64_t n);
-
-// The index of a thread over a whole grid. The product of blockIdx.x and blockDim.x, both 32 bit,
-// wraps at 2^32, and as int at 2^31: one factor must be made wide before.
-HD constexpr std::int64_t grid_index(unsigned block, unsigned block_size, unsigned thread) {
-    return static_cast<std::int64_t>(block) * block_size + thread;
-}
-__device__ inline std::int64_t global_index() {
-    return grid_index(blockIdx.x, blockDim.x, threadIdx.x);
-}
 
 } // namespace raylab::lab03

@@ -5,6 +5,7 @@
 // and the first warp scans the warps' sums. Two barriers a tile instead of sixteen.
 #include "common/device/device_array.h"
 #include "common/task/not_implemented.h"
+#include "labs/03_wavefront/grid.h"
 #include "labs/03_wavefront/scan_tiles.h"
 
 namespace raylab::lab03 {

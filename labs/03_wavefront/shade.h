@@ -13,8 +13,8 @@
 
 namespace raylab::lab03 {
 
-// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q, and
-// survivors count 1/q, so the mean stays.
+// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q,
+// and survivors count 1/q, so the mean stays.
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     if (bounce < 1) return true;
     const float q = glm::min(1.0f, 2.5f * max_component(throughput));

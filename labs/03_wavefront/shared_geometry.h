@@ -25,7 +25,8 @@ template <class T> std::size_t shared_bytes(const Array<T>& array) {
 
 // What the shapes take in shared memory.
 inline std::size_t geometry_bytes(const SceneView& scene) {
-    return shared_bytes(scene.spheres) + shared_bytes(scene.quads) + shared_bytes(scene.planes) +
+    return shared_bytes(scene.spheres) + shared_bytes(scene.quads) +
+           shared_bytes(scene.quad_groups) + shared_bytes(scene.planes) +
            shared_bytes(scene.triangles) + shared_bytes(scene.runs);
 }
 
@@ -49,6 +50,7 @@ __device__ SceneView geometry_in_shared_memory(SceneView scene, void* memory) {
     auto* free = static_cast<unsigned char*>(memory);
     if constexpr (F & feature::sphere) move_to_shared(scene.spheres, free);
     if constexpr (F & feature::quad) move_to_shared(scene.quads, free);
+    if constexpr (F & feature::quad) move_to_shared(scene.quad_groups, free);
     if constexpr (F & feature::plane) move_to_shared(scene.planes, free);
     if constexpr (F & feature::triangle) move_to_shared(scene.triangles, free);
     if constexpr (F & feature::triangle) move_to_shared(scene.runs, free);

@@ -1,10 +1,9 @@
 // Task 3.5: shapes in shared memory give the same image, and what they cost is known beforehand.
-#include "common/device/device_scene.h"
 #include "common/task/facts.h"
 #include "common/task/small_scene.h"
 #include "labs/03_wavefront/launch_sizing.h"
 #include "labs/03_wavefront/renderer.h"
-#include "labs/03_wavefront/shared_geometry.h"
+#include "labs/03_wavefront/tests/shared_shapes.h"
 
 #include <cstring>
 
@@ -39,35 +38,13 @@ Film render(const Scene& scene, bool shared, int block) {
     return renderer->film();
 }
 
-// One thread tells whether the shapes it was given lie where its block's shared memory is.
-__global__ void where_shapes_lie(const SceneView* scene, int* inside, int* same) {
-    __shared__ float4 memory[512];
-    const SceneView shared = geometry_in_shared_memory<feature::all>(*scene, memory);
-    __syncthreads();
-    if (threadIdx.x > 0) return;
-    const auto* first = reinterpret_cast<const unsigned char*>(memory);
-    const auto* spheres = reinterpret_cast<const unsigned char*>(shared.spheres.data);
-    const auto* triangles = reinterpret_cast<const unsigned char*>(shared.triangles.data);
-    *inside = spheres >= first && spheres < first + sizeof memory && triangles >= first &&
-              triangles < first + sizeof memory;
-    *same = shared.spheres[2].center.x == scene->spheres[2].center.x &&
-            shared.quads[0].v[2].y == scene->quads[0].v[2].y &&
-            shared.planes[0].normal.y == scene->planes[0].normal.y &&
-            shared.triangles[0].v[1].z == scene->triangles[0].v[1].z;
-}
-
 TEST(Task3_5, ShapesAreCopiedToTheBlocksOwnMemory) {
     const Scene scene = shapes(40);
-    const DeviceScene device(scene);
-    ASSERT_LE(geometry_bytes(device.view()), 512 * sizeof(float4));
-    const DeviceArray<SceneView> view(std::span(&device.view(), 1));
-    DeviceArray<int> inside(1), same(1);
     for (const int block : {32, 224}) {
-        where_shapes_lie<<<1, block>>>(view.data(), inside.data(), same.data());
-        check(cudaDeviceSynchronize(), "where_shapes_lie");
-        expect_equal("shapes lie in shared memory (1: yes)", inside.to_host()[0], 1,
+        const SharedShapes found = look_at_shared_shapes(scene, block);
+        expect_equal("shapes lie in shared memory (1: yes)", found.inside, 1,
                      "move_to_shared() points the arrays of the returned scene there");
-        expect_equal("and are the scene's (1: yes)", same.to_host()[0], 1,
+        expect_equal("and are the scene's (1: yes)", found.same, 1,
                      "each array begins where the one before ends, rounded up to 16 bytes");
     }
 }
