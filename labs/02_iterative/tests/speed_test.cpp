@@ -2,55 +2,21 @@
 //
 // Both trace the same samples of the same pixels with the same threads, in turns, so that a machine
 // that slows down slows both; the median of the ratios counts. At most 1.10 is the aim.
-#include "common/camera/camera.h"
 #include "common/scene/load.h"
 #include "common/scene/variants.h"
-#include "labs/02_iterative/path.h"
 #include "labs/02_iterative/renderer.h"
+#include "labs/02_iterative/tests/plain_loop.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
-#include <thread>
 
 namespace raylab::lab02 {
 
 namespace {
-
-// One sample of every pixel, rows handed out to threads one by one.
-template <Features F>
-void plain_loop(const SceneView& scene, const RenderSettings& settings, std::uint32_t sample,
-                int thread_count, std::vector<FilmPixel>& film, std::vector<PathRecord>& records) {
-    std::atomic<int> next_row = 0;
-    const auto work = [&] {
-        for (int y = next_row++; y < scene.camera.height; y = next_row++)
-            for (int x = 0; x < scene.camera.width; ++x) {
-                const int pixel = y * scene.camera.width + x;
-                const Sampler sampler = {settings.sampler, settings.seed,
-                                         static_cast<std::uint32_t>(pixel), sample};
-                const Ray ray = generate_ray(scene.camera, x, y, sampler.get_2d(dimension::film),
-                                             sampler.get_2d(dimension::lens));
-                PathRecord record;
-                add_sample(film[pixel], trace_path<F>(scene, settings, sampler, ray, record));
-                records[pixel] = record;
-            }
-    };
-    std::vector<std::thread> threads;
-    for (int i = 0; i < thread_count; ++i) threads.emplace_back(work);
-    for (std::thread& thread : threads) thread.join();
-}
-
-double seconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double median_ratio_to_plain_loop(const std::string& name, int rounds, int iterations) {
     Scene scene = load_scene(find_scene(name));
