@@ -8,6 +8,7 @@
 // traffic of a copy.
 #pragma once
 
+#include "common/simt/cuda.h"
 #include "labs/03_wavefront/scan.h"
 
 namespace raylab::lab03 {
