@@ -7,7 +7,7 @@ namespace {
 
 TEST_F(Cli, RendersALegalScene) {
     write_scene("s.json");
-    for (const std::string lab : {"01", "02"}) {
+    for (const std::string lab : {"01", "02", "03"}) {
         const Outcome outcome = raylab("render " + lab + " " + in("s.json") + " -o " + in("o.exr"));
         EXPECT_EQ(outcome.code, 0) << outcome.text;
         EXPECT_TRUE(fs::exists(in("o.exr")));
@@ -53,6 +53,21 @@ TEST_F(Cli, TruncatedPicturesAreRefused) {
     write("a.exr", "\x76\x2f\x31\x01 and no more");
     expect_refused("compare " + in("a.exr") + " " + in("a.exr"), {"a.exr"});
     expect_refused("compare " + in("none.exr") + " " + in("a.exr"), {"none.exr"});
+}
+
+TEST_F(Cli, OptionsOfThePoolAreForTheLabThatHasOne) {
+    write_scene("s.json");
+    const std::string scene = " " + in("s.json") + " -o " + in("o.exr");
+    const Outcome drawn =
+        raylab("render 03" + scene + " --compact 2 --scan warp --sort queues --pool 7 --shuffle 3");
+    EXPECT_EQ(drawn.code, 0) << drawn.text;
+    fs::remove(in("o.exr"));
+    expect_refused("render 02" + scene + " --scan naive", {"lab 02 has no pool of rays", "--scan"});
+    expect_refused("render 03" + scene + " --compact never", {"--compact", "never", "off", "on"});
+    expect_refused("render 03" + scene + " --pool 0", {"--pool"});
+    expect_refused("render 03" + scene + " --first-bounce-cache", {"jitter", "--jitter false"});
+    expect_refused("render 03" + scene + " --width 4096 --height 4096 --memory-budget 2",
+                   {"film", "2.00 MiB", "--memory-budget"});
 }
 
 TEST_F(Cli, WrongSettingsOnTheCommandLineAreRefused) {
