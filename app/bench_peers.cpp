@@ -4,8 +4,8 @@
 #include "app/labs.h"
 #include "app/python_parts.h"
 #include "common/cli/files.h"
+#include "common/cli/process.h"
 #include "common/image/image_file.h"
-#include "grader/bench/process.h"
 
 #include <fmt/format.h>
 
@@ -96,7 +96,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 std::string ask_version(const Peer& peer, const PeerSettings& settings) {
     std::vector<std::string> command = {settings.*peer.program};
     command.insert(command.end(), peer.version.begin(), peer.version.end());
-    const bench::ProcessResult result = bench::run_process(command, 60);
+    const ProcessResult result = run_process(command, {60});
     if (!result.succeeded())
         throw ContestantError(fmt::format("not here: '{}' {}; {}", settings.*peer.program,
                                           why_failed(result), peer.how_to_get_it));
@@ -119,7 +119,7 @@ bench::Drawn render(const Peer& peer, const PeerSettings& settings, int spp, std
     std::vector<std::string> command = {settings.*peer.program};
     for (std::string& word : peer.render(settings, spp, seed, output))
         command.push_back(std::move(word));
-    const bench::ProcessResult result = bench::run_process(command, settings.limit);
+    const ProcessResult result = run_process(command, {settings.limit});
     if (!result.succeeded())
         throw ContestantError(fmt::format("failed: '{}' at {} spp: {}", settings.*peer.program, spp,
                                           why_failed(result)));

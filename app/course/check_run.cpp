@@ -1,8 +1,8 @@
 // Build what changed, run the tests, say for each task what they found.
 #include "app/course/check_run.h"
 
+#include "common/cli/process.h"
 #include "common/cli/progress.h"
-#include "grader/course/process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,12 +57,12 @@ class BuildProgress {
     std::optional<Progress> progress_;
 };
 
-ProcessOutcome build_target(const Tree& tree, const std::string& target) {
-    return run_process({"cmake", "--build", tree.build.string(), "--target", target}, tree.root,
-                       build_limit_seconds,
-                       [progress = std::make_shared<BuildProgress>()](const std::string& output) {
-                           (*progress)(output);
-                       });
+ProcessResult build_target(const Tree& tree, const std::string& target) {
+    return run_process({"cmake", "--build", tree.build.string(), "--target", target},
+                       {build_limit_seconds, tree.root,
+                        [progress = std::make_shared<BuildProgress>()](const std::string& output) {
+                            (*progress)(output);
+                        }});
 }
 
 } // namespace
@@ -76,14 +76,14 @@ bool CheckReport::passed() const {
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
                         const std::vector<std::string>& ids) {
     CheckReport report{sheet, "", {}, 0, 0};
-    const ProcessOutcome build = build_target(tree, sheet.test_target);
+    const ProcessResult build = build_target(tree, sheet.test_target);
     report.build_seconds = build.seconds;
     if (!build.succeeded()) {
         report.compiler_errors = compiler_errors(build.output, tree.root);
         // Errors that do not name a file of the lab are not the student's.
         if (report.compiler_errors.find("labs/" + sheet.folder) == std::string::npos)
-            throw std::runtime_error("the build failed outside the lab:\n" +
-                                     report.compiler_errors);
+            throw std::runtime_error(fmt::format("the build failed outside the lab, {}:\n{}",
+                                                 why_failed(build), report.compiler_errors));
         return report;
     }
     const fs::path program = tree.build / "labs" / sheet.folder / sheet.test_target;

@@ -5,8 +5,8 @@
 // the tree (RAYLAB_OVERLAY): only what a state changes is compiled again.
 #include "app/course/commands.h"
 #include "common/cli/files.h"
+#include "common/cli/process.h"
 #include "common/cli/progress.h"
-#include "grader/course/process.h"
 #include "grader/course/stub_tree.h"
 #include "grader/course/variation.h"
 
@@ -69,10 +69,12 @@ void configure(const Tree& tree, const fs::path& overlay, const fs::path& build)
                                         "-DRAYLAB_STRICT=OFF",
                                         "-DRAYLAB_TESTS=OFF",
                                         "-DRAYLAB_OVERLAY=" + overlay.string()};
-    if (run_process({"ccache", "--version"}, tree.root, 10).succeeded())
+    if (run_process({"ccache", "--version"}, {10}).succeeded())
         command.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
-    const ProcessOutcome outcome = run_process(command, tree.root, 300);
-    if (!outcome.succeeded()) throw std::runtime_error("configuring failed:\n" + outcome.output);
+    const ProcessResult result = run_process(command, {300, tree.root});
+    if (!result.succeeded())
+        throw std::runtime_error(
+            fmt::format("configuring failed, {}:\n{}", why_failed(result), result.output));
 }
 
 // What is wrong with a verdict in a state, or "".

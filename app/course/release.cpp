@@ -2,8 +2,8 @@
 // appears.
 #include "grader/course/release.h"
 #include "app/course/commands.h"
+#include "common/cli/process.h"
 #include "common/cli/progress.h"
-#include "grader/course/process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,17 +24,17 @@ struct ReleaseOptions {
 
 // Runs the tree's own ./raylab; nothing of this build reaches it. What ccache, if there is one, has
 // compiled for another release, in another folder, it need not compile again.
-ProcessOutcome run_in_tree(const fs::path& tree, const std::vector<std::string>& arguments) {
+ProcessResult run_in_tree(const fs::path& tree, const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {
         "env",     "-u", "RAYLAB_PRESET", "CCACHE_NOHASHDIR=1", "CCACHE_BASEDIR=" + tree.string(),
         "./raylab"};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    return run_process(command, tree, step_limit_seconds);
+    return run_process(command, {step_limit_seconds, tree});
 }
 
 // In the tree as a student first meets it every task is NOT IMPLEMENTED, and says where.
 void expect_stubs(const LabSheet& sheet, const fs::path& tree) {
-    const ProcessOutcome check = run_in_tree(tree, {"check", sheet.number, "--json"});
+    const ProcessResult check = run_in_tree(tree, {"check", sheet.number, "--json"});
     const std::size_t at = check.output.find('{');
     const auto report = at == std::string::npos
                             ? nlohmann::json(nlohmann::json::value_t::discarded)
@@ -57,7 +57,7 @@ void expect_stubs(const LabSheet& sheet, const fs::path& tree) {
 void expect_render(const LabSheet& sheet, const fs::path& tree) {
     if (sheet.scenes.empty()) return;
     const std::string image = (tree / "build/first.exr").string();
-    const ProcessOutcome render =
+    const ProcessResult render =
         run_in_tree(tree, {"render", sheet.number, sheet.scenes.front(), "--spp", "1", "--width",
                            "16", "--height", "16", "-q", "-o", image});
     if (!render.succeeded() || !fs::exists(image))

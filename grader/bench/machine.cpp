@@ -1,6 +1,6 @@
 #include "grader/bench/machine.h"
 
-#include "grader/bench/process.h"
+#include "common/cli/process.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ int usable_cores() {
 std::string git(const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {"git", "-C", RAYLAB_SOURCE_DIR};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    const ProcessResult result = run_process(command, 10);
+    const ProcessResult result = run_process(command, {10});
     return result.succeeded() ? result.output.substr(0, result.output.find('\n')) : "";
 }
 

@@ -1,7 +1,7 @@
 #include "grader/course/verdict.h"
 
 #include "common/cli/files.h"
-#include "grader/course/process.h"
+#include "common/cli/process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,13 +44,20 @@ class TemporaryFile {
     std::string path_;
 };
 
+// A test program that is not there is nobody's wrong answer.
+void expect_started(const ProcessResult& result, const fs::path& program) {
+    if (!result.started)
+        throw std::runtime_error(fmt::format("'{}' {}", program.string(), why_failed(result)));
+}
+
 // The names of the tests that match the filters of a task.
 std::vector<std::string> list_tests(const Task& task, const fs::path& program,
                                     const fs::path& folder) {
     std::vector<std::string> names;
     for (const std::string& filter : task.tests) {
-        const ProcessOutcome listing = run_process(
-            {program.string(), "--gtest_list_tests", "--gtest_filter=" + filter}, folder, 30);
+        const ProcessResult listing = run_process(
+            {program.string(), "--gtest_list_tests", "--gtest_filter=" + filter}, {30, folder});
+        expect_started(listing, program);
         std::string suite;
         const std::size_t before = names.size();
         std::istringstream lines(listing.output);
@@ -105,10 +112,11 @@ std::vector<std::string> facts_in(const std::string& report) {
 
 TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder) {
     const TemporaryFile report;
-    const ProcessOutcome process =
+    const ProcessResult process =
         run_process({program.string(), "--gtest_filter=" + name, "--gtest_color=no",
                      "--gtest_output=json:" + report.path()},
-                    folder, test_limit_seconds);
+                    {test_limit_seconds, folder});
+    expect_started(process, program);
     TestOutcome outcome;
     outcome.passed = process.succeeded();
     outcome.stubs = stubs_met(process.output);

@@ -1,5 +1,4 @@
 // Each outcome of a test program, and the verdict and words that it must lead to.
-#include "grader/course/process.h"
 #include "grader/course/tests/temporary_tree.h"
 #include "grader/course/verdict.h"
 
@@ -79,18 +78,13 @@ TEST_F(Verdicts, CrashesAndExceptionsAreTheTasksAlone) {
     EXPECT_NE(thrown.facts.at(0).find("no such scene"), std::string::npos) << thrown.facts[0];
 }
 
-TEST_F(Verdicts, AFilterWithoutTestsIsAMistakeOfTheSheet) {
-    EXPECT_THROW(judge("7.9", "None.*"), CourseError);
+TEST_F(Verdicts, AMissingTestProgramIsNobodysWrongAnswer) {
+    const LabSheet lab = read_lab_sheet(root, "07_tiny");
+    EXPECT_THROW(judge_task(lab, lab.tasks.front(), root / "not-built"), std::runtime_error);
 }
 
-TEST(Process, ATimeLimitEndsTheProgramAndItsChildren) {
-    const ProcessOutcome outcome = run_process({"sh", "-c", "sleep 60 & sleep 60"}, "/", 0.3);
-    EXPECT_TRUE(outcome.timed_out);
-    EXPECT_LT(outcome.seconds, 10);
-    EXPECT_THROW(run_process({"no-such-program-at-all"}, "/", 1), std::system_error);
-    EXPECT_EQ(run_process({"sh", "-c", "echo out; echo err >&2; exit 5"}, "/", 10).output,
-              "out\nerr\n");
-    EXPECT_EQ(run_process({"sh", "-c", "exit 5"}, "/", 10).exit_code, 5);
+TEST_F(Verdicts, AFilterWithoutTestsIsAMistakeOfTheSheet) {
+    EXPECT_THROW(judge("7.9", "None.*"), CourseError);
 }
 
 } // namespace

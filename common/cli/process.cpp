@@ -1,0 +1,139 @@
+// posix_spawn with a pipe. The limit holds for the output and for the end: a child may close its
+// output and run on, or leave a grandchild that keeps the pipe open.
+#include "common/cli/process.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace raylab {
+
+namespace {
+
+constexpr std::size_t kept_output = 4 << 20;
+
+double now() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+// Starts the program in a process group of its own, its output to `pipe_end`. 0, or an errno.
+int start(const std::vector<std::string>& command, const std::filesystem::path& folder,
+          int pipe_end, pid_t& child) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawnattr_init(&attributes);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error =
+        posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    return error;
+}
+
+// Reads until everybody has closed the other end; false if the time was up before.
+bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
+                 std::string& output) {
+    char block[1 << 14];
+    for (;;) {
+        const double left = deadline - now();
+        pollfd watched = {pipe_end, POLLIN, 0};
+        const int ready = left > 0 ? poll(&watched, 1, static_cast<int>(1000 * left) + 1) : 0;
+        if (ready < 0 && errno == EINTR) continue;
+        if (ready <= 0) return false;
+        const ssize_t n = read(pipe_end, block, sizeof block);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return true;
+        output.append(block, static_cast<std::size_t>(n));
+        if (output.size() > 2 * kept_output) output.erase(0, output.size() - kept_output);
+        if (options.watch) options.watch(output);
+    }
+}
+
+// Waits for its end; false if the time was up before.
+bool wait_for_end(pid_t child, double deadline, int& status) {
+    for (;;) {
+        const pid_t ended = waitpid(child, &status, WNOHANG);
+        if (ended != 0 && !(ended < 0 && errno == EINTR)) return true;
+        if (now() >= deadline) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+} // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+    ProcessResult result;
+    const auto not_started = [&result](int error) {
+        result.output = std::strerror(error);
+        return result;
+    };
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return not_started(errno);
+    const double begin = now(), deadline = begin + options.limit_seconds;
+    pid_t child = 0;
+    const int error = start(command, options.folder, ends[1], child);
+    close(ends[1]);
+    result.started = error == 0;
+    int status = 0;
+    if (result.started) {
+        result.timed_out = !read_output(ends[0], deadline, options, result.output) ||
+                           !wait_for_end(child, deadline, status);
+        if (result.timed_out) {
+            kill(-child, SIGKILL);
+            while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+            }
+        }
+    }
+    close(ends[0]);
+    if (!result.started) return not_started(error);
+    result.seconds = now() - begin;
+    if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+    if (WIFEXITED(status) && !result.timed_out) result.exit_code = WEXITSTATUS(status);
+    return result;
+}
+
+std::string why_failed(const ProcessResult& result) {
+    if (!result.started) return "could not be started: " + result.output;
+    if (result.timed_out) return fmt::format("timed out after {:.0f} s", result.seconds);
+    const std::string what =
+        result.signal == 0
+            ? fmt::format("exit status {}", result.exit_code)
+            : fmt::format("was ended by signal {} ({})", result.signal, strsignal(result.signal));
+    // The last exception of Python's, or else the last line that speaks of an error, or says
+    // anything.
+    std::istringstream lines(result.output);
+    std::string said, error, exception;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        said = line;
+        const std::size_t at = line.find("rror");
+        if (at != std::string::npos) error = line;
+        if (at != std::string::npos && at > 1 && std::isalpha(line[at - 2])) exception = line;
+    }
+    const std::string& words = !exception.empty() ? exception : !error.empty() ? error : said;
+    return words.empty() ? what : what + ": " + words;
+}
+
+} // namespace raylab
