@@ -15,6 +15,7 @@ namespace {
 
 constexpr double tolerated_bias = 0.005;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What images are judged against.
 struct Truth {
@@ -76,6 +77,16 @@ std::vector<std::vector<ImageError>> errors_of(const Turns& turns, const Truth& 
     return errors;
 }
 
+// a / b of values above 0. Where one of them is beyond what can be measured (see Measured), so is
+// the quotient; where both are, it may lie anywhere.
+double quotient(double a, double b) {
+    if (std::isfinite(b)) return a / b;
+    return std::isfinite(a) ? -b : nan;
+}
+
+// In a disturbed round the time did not grow with the samples. That is no reason to drop the round,
+// which would keep the slow ones only and make the median too large: its slope lies below all that
+// can be measured, and in an order that is enough.
 void evaluate_time(Row& row, const Turns& turns, const Plan& plan) {
     const std::vector<double> x(plan.spp.begin(), plan.spp.end());
     std::vector<double> slopes, intercepts;
@@ -83,14 +94,20 @@ void evaluate_time(Row& row, const Turns& turns, const Plan& plan) {
         std::vector<double> seconds;
         for (const Drawn& drawn : round) seconds.push_back(drawn.seconds);
         const Line line = fit_line(x, seconds);
-        slopes.push_back(line.slope > 0 ? 1000 * line.slope : nan);
+        slopes.push_back(line.slope > 0 ? 1000 * line.slope : -infinity);
         intercepts.push_back(line.intercept);
     }
     row.ms_per_spp = measured(slopes);
     row.start_up = measured(intercepts);
-    if (!row.ms_per_spp.is_known())
-        row.remarks.push_back("Its time did not grow with the samples in every round: it is too "
-                              "short to be measured. Raise --spp or --size.");
+    const auto disturbed = std::count(slopes.begin(), slopes.end(), -infinity);
+    if (disturbed == 0) return;
+    const std::string fact = fmt::format(
+        "Its time did not grow with the samples in {} of {} rounds", disturbed, slopes.size());
+    row.remarks.push_back(
+        row.ms_per_spp.is_known()
+            ? fact + ": they were disturbed, count as faster than the others, and may leave an "
+                     "interval open. Raise --rounds or --spp."
+            : fact + ": it is too short to be measured. Raise --spp or --size.");
 }
 
 void evaluate_error(Row& row, const std::vector<std::vector<ImageError>>& errors, const Plan& plan,
@@ -103,7 +120,7 @@ void evaluate_error(Row& row, const std::vector<std::vector<ImageError>>& errors
         const double slope = row.ms_per_spp.rounds[r] / 1000;
         mse.push_back(error.mse);
         rel_mse.push_back(error.rel_mse);
-        efficiency.push_back(error.mse > 0 ? 1 / (error.mse * most * slope) : nan);
+        efficiency.push_back(error.mse > 0 ? quotient(1 / (error.mse * most), slope) : nan);
         seconds.push_back(error.rel_mse > 0 ? error.rel_mse * most / target * slope : nan);
         std::vector<double> y;
         for (const auto& at_spp : errors) y.push_back(at_spp[r].rel_mse);
@@ -194,10 +211,10 @@ void copy_ledger(Row& row, const Turns& turns) {
     }
 }
 
-// a / b round by round.
+// Round by round.
 Measured quotients(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> result;
-    for (std::size_t r = 0; r < a.size(); ++r) result.push_back(a[r] / b[r]);
+    for (std::size_t r = 0; r < a.size(); ++r) result.push_back(quotient(a[r], b[r]));
     return measured(result);
 }
 

@@ -30,11 +30,14 @@ std::string digits(double v) {
 
 std::string text(const json& value) { return escape_html(value.get<std::string>()); }
 
-// The median over its interval.
+// The median over its interval, an end of which may be open.
 std::string measured(const json& m, const char* prefix = "") {
     if (!m.is_object() || m.at("median").is_null()) return unknown;
+    const auto end = [&](const char* name) {
+        return m.at(name).is_null() ? "open" : digits(m.at(name));
+    };
     return fmt::format("{}{}<span class=\"interval\">{} &ndash; {}</span>", prefix,
-                       digits(m.at("median")), digits(m.at("low")), digits(m.at("high")));
+                       digits(m.at("median")), end("low"), end("high"));
 }
 
 std::string cell(const std::string& content) { return "<td class=\"number\">" + content + "</td>"; }

@@ -112,7 +112,7 @@ function plotEfficiency(figure, scene) {
     const width = 540, step = Math.min(58, 330 / drawn.length), left = 112, right = 400, top = 34;
     const svg = canvas(figure, width, Math.max(400, top + step * drawn.length + 20), "efficiency of each contestant");
     add(svg, "text", { class: "title", x: left, y: 14 }, "efficiency, 1 / (MSE s)");
-    const high = Math.max(...drawn.filter(row => row.agrees).map(row => row.efficiency.high), 1e-30);
+    const high = Math.max(...drawn.filter(row => row.agrees).map(row => row.efficiency.high ?? 1.3 * row.efficiency.median), 1e-30);
     const x = v => left + Math.min(1, v / high) * (right - left);
     drawn.forEach((row, k) => {
         const y = top + k * step, bar = Math.min(26, step * 0.55), middle = y + bar / 2, c = colour(row.i);
@@ -122,11 +122,12 @@ function plotEfficiency(figure, scene) {
             add(svg, "text", { x: left + 100, y: middle + 4 }, "images differ: no ratio");
             return;
         }
-        const { median, low, high: top_of } = row.efficiency;
+        const { median } = row.efficiency, low = row.efficiency.low ?? 0, top_of = row.efficiency.high ?? high;
+        const ends = [row.efficiency.low, row.efficiency.high].map(v => v === null ? "open" : short(v));
         add(add(svg, "rect", { class: `fill ${c}`, x: left, y, width: Math.max(1, x(median) - left), height: bar, rx: 2 }),
-            "title", {}, `${row.title}: ${short(median)} (${short(low)} to ${short(top_of)})`);
+            "title", {}, `${row.title}: ${short(median)} (${ends[0]} to ${ends[1]})`);
         add(svg, "line", { class: "whisker", x1: x(low), x2: x(top_of), y1: middle, y2: middle });
-        for (const v of [low, top_of])
+        for (const v of [row.efficiency.low, row.efficiency.high].filter(v => v !== null)) // an open end has no bar
             add(svg, "line", { class: "whisker", x1: x(v), x2: x(v), y1: middle - 5, y2: middle + 5 });
         const ratio = row.efficiency_ratio && !row.baseline ? `  ×${short(row.efficiency_ratio.median)}` : "";
         add(svg, "text", { class: "value", x: x(top_of) + 10, y: middle + 4 },

@@ -10,6 +10,7 @@ namespace raylab::bench {
 namespace {
 
 constexpr double wanted_coverage = 0.95;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The rank k (from 1) of the interval's ends and its coverage.
 struct Ends {
@@ -57,16 +58,18 @@ Measured measured(std::vector<double> rounds) {
     Measured result;
     result.rounds = std::move(rounds);
     std::vector<double> sorted = result.rounds;
-    if (sorted.empty() ||
-        !std::all_of(sorted.begin(), sorted.end(), [](double v) { return std::isfinite(v); })) {
+    std::erase_if(sorted, [](double v) { return std::isnan(v); });
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t n = result.rounds.size(), anywhere = n - sorted.size();
+    result.median = 2 * anywhere < n ? median_of_sorted(sorted) : infinity;
+    if (std::isinf(result.median)) {
         result.median = result.low = result.high = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t k = median_interval(static_cast<int>(sorted.size())).k;
-    result.median = median_of_sorted(sorted);
-    result.low = sorted[k - 1];
-    result.high = sorted[sorted.size() - k];
+    // The k-th from either end, of all n.
+    const std::size_t k = median_interval(static_cast<int>(n)).k;
+    result.low = k > anywhere ? sorted[k - anywhere - 1] : -infinity;
+    result.high = k > anywhere ? sorted[sorted.size() - (k - anywhere)] : infinity;
     return result;
 }
 

@@ -10,7 +10,10 @@
 
 namespace raylab::bench {
 
-// One value a round. If a round has none (not finite), the median and its interval are NaN.
+// One value a round. -infinity and infinity: below or above everything that can be measured; NaN:
+// it may lie anywhere, so it counts as -infinity for `low` and as infinity for `high`. An infinite
+// end is an open one. The median is that of the values that are not NaN; where it is infinite, or
+// half of them are NaN, nothing is known, and all three are NaN.
 struct Measured {
     std::vector<double> rounds; // in the order of the rounds
     double median = 0, low = 0, high = 0;

@@ -13,13 +13,17 @@ std::string figure(double value, const char* format) {
     return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-std::string with_interval(const Measured& m) {
-    return m.is_known() ? fmt::format("{:.4g} [{:.4g}, {:.4g}]", m.median, m.low, m.high) : "-";
+// The median over its interval, an end of which may be open.
+std::string with_interval(const Measured& m, int digits = 4) {
+    if (!m.is_known()) return "-";
+    const auto end = [&](double v) {
+        return std::isfinite(v) ? fmt::format("{:.{}g}", v, digits) : "open";
+    };
+    return fmt::format("{:.{}g} [{}, {}]", m.median, digits, end(m.low), end(m.high));
 }
 
 std::string ratio_text(const std::optional<Measured>& ratio) {
-    return ratio ? fmt::format("{:.3g} [{:.3g}, {:.3g}]", ratio->median, ratio->low, ratio->high)
-                 : "-";
+    return ratio ? with_interval(*ratio, 3) : "-";
 }
 
 // A field of CSV: quoted, quotes doubled, if it holds what would end it.

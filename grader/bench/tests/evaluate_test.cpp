@@ -128,6 +128,52 @@ TEST(Evaluate, SaysWhenTheFitDoesNotHold) {
     EXPECT_THAT(rows[0].remarks, ElementsAre(HasSubstr("falls as n^-1.")));
 }
 
+// In the first `disturbed` of 5 rounds the few samples take longer than the many; in the others a
+// sample takes 100, 101, ... ms.
+std::vector<Row> rows_with_disturbed_rounds(int disturbed, const std::string& baseline) {
+    int runs = -1; // the first is not timed
+    const Contestant c = contestant("a", {});
+    const Contestant watched = {"a", "", [&runs, disturbed, c](int spp, std::uint32_t seed) {
+                                    Drawn drawn = c.render(spp, seed);
+                                    const int round = runs++ / 2;
+                                    drawn.seconds = round < disturbed ? 10 - 0.1 * spp
+                                                                      : (0.1 + 0.001 * round) * spp;
+                                    return drawn;
+                                }};
+    return rows_of({watched, contestant("b", {0, 0.05})}, baseline);
+}
+
+TEST(Evaluate, ADisturbedRoundOpensAnEndAndLeavesTheMedianAmongTheGoodOnes) {
+    const auto rows = rows_with_disturbed_rounds(1, "b");
+    const Row& row = rows[0];
+    EXPECT_NEAR(row.ms_per_spp.median, 102, 1e-9); // of -, 101, 102, 103, 104
+    EXPECT_EQ(row.ms_per_spp.low, -INFINITY);
+    EXPECT_NEAR(row.ms_per_spp.high, 104, 1e-9);
+    ASSERT_TRUE(row.efficiency.is_known() && row.seconds_to_target.is_known());
+    EXPECT_NEAR(row.efficiency.median * row.mse.median * 64 * 0.1025, 1, 0.1);
+    EXPECT_EQ(row.efficiency.high, INFINITY);
+    EXPECT_GT(row.efficiency.low, 0);
+    ASSERT_TRUE(row.speed_ratio && row.efficiency_ratio);
+    EXPECT_NEAR(row.speed_ratio->median, 50 / 102.0, 1e-9);
+    EXPECT_EQ(row.speed_ratio->high, INFINITY);
+    EXPECT_THAT(row.remarks, ElementsAre(HasSubstr("in 1 of 5 rounds: they were disturbed")));
+    EXPECT_THAT(rows[1].remarks, IsEmpty());
+    // Of the baseline: the ratio's other end. Over itself the round says nothing.
+    const auto over_it = rows_with_disturbed_rounds(1, "a");
+    EXPECT_EQ(over_it[1].speed_ratio->low, -INFINITY);
+    EXPECT_NEAR(over_it[1].speed_ratio->median, 102 / 50.0, 1e-9);
+    EXPECT_EQ(over_it[0].speed_ratio->median, 1);
+}
+
+TEST(Evaluate, MoreThanHalfOfTheRoundsDisturbedLeaveNothingKnown) {
+    EXPECT_TRUE(rows_with_disturbed_rounds(2, "b")[0].efficiency.is_known());
+    const auto rows = rows_with_disturbed_rounds(3, "b");
+    EXPECT_FALSE(rows[0].ms_per_spp.is_known());
+    EXPECT_FALSE(rows[0].efficiency.is_known() || rows[0].seconds_to_target.is_known());
+    EXPECT_FALSE(rows[0].speed_ratio || rows[0].efficiency_ratio);
+    EXPECT_THAT(rows[0].remarks, ElementsAre(HasSubstr("in 3 of 5 rounds: it is too short")));
+}
+
 TEST(Evaluate, SaysWhenTimeIsTooShortToMeasure) {
     const auto rows = rows_of({contestant("instant", {1, 0})}, "instant");
     EXPECT_FALSE(rows[0].efficiency.is_known());

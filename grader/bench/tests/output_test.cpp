@@ -82,6 +82,15 @@ TEST(Table, SaysThatImagesDiffer) {
     EXPECT_THAT(table, HasSubstr("failed, with a"));
 }
 
+TEST(OpenEnds, AreSaidAsSuch) {
+    Bench bench = everything();
+    Row& row = bench.scenes[0].rows[0];
+    row.efficiency = measured({1, 2, 3, 4, INFINITY});
+    EXPECT_THAT(to_table(bench.scenes[0]), HasSubstr("3 [1, open]"));
+    EXPECT_THAT(page_html(to_json(bench), ""), HasSubstr("1.00 &ndash; open"));
+    EXPECT_TRUE(to_json(bench)["scenes"][0]["rows"][0]["efficiency"]["high"].is_null());
+}
+
 TEST(Page, EscapesWhatItShowsAndReachesForNothing) {
     const std::string page = page_html(to_json(everything()), "a <cpu>");
     EXPECT_THAT(page, HasSubstr("A &lt;b&gt;room&lt;/b&gt;"));

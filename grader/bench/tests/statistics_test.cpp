@@ -56,11 +56,57 @@ TEST(Median, IntervalHoldsTheMedianOfDisturbedTimesAsOftenAsStated) {
     EXPECT_LT(double(held_by_mean) / trials, 0.85);
 }
 
-TEST(Median, IsUnknownIfARoundIs) {
-    EXPECT_FALSE(measured({1, NAN, 3}).is_known());
-    EXPECT_FALSE(measured({1, INFINITY, 3}).is_known());
+TEST(Median, CountsWhatLiesBeyondMeasureAtItsEndOfTheOrder) {
+    const Measured below = measured({1, 2, -INFINITY, 3, 4}), above = measured({1, INFINITY, 3});
+    EXPECT_EQ(below.median, 2);
+    EXPECT_EQ(below.low, -INFINITY); // open
+    EXPECT_EQ(below.high, 4);
+    EXPECT_EQ(above.median, 3);
+    EXPECT_EQ(above.high, INFINITY);
+    const Measured closed = measured({1, 2, 3, 4, -INFINITY, 5, 6, 7, 8}); // the second of 9
+    EXPECT_EQ(closed.low, 1);
+    EXPECT_EQ(closed.high, 7);
+    for (const double v : {-INFINITY, INFINITY}) {
+        EXPECT_FALSE(measured({v, 1, v, 2, v}).is_known());
+        EXPECT_FALSE(measured({v, 1, v, 2}).is_known());
+    }
+}
+
+TEST(Median, CountsWhatMayLieAnywhereAtBothEnds) {
+    const Measured open = measured({1, NAN, 2, 3, 4});
+    EXPECT_EQ(open.median, 2.5);
+    EXPECT_EQ(open.low, -INFINITY);
+    EXPECT_EQ(open.high, INFINITY);
+    const Measured closed = measured({1, 2, 3, 4, NAN, 5, 6, 7, 8});
+    EXPECT_EQ(closed.median, 4.5);
+    EXPECT_EQ(closed.low, 1);
+    EXPECT_EQ(closed.high, 8);
+    EXPECT_FALSE(measured({1, NAN, NAN, 2, NAN}).is_known());
+    EXPECT_FALSE(measured({1, NAN}).is_known());
     EXPECT_FALSE(measured({}).is_known());
     EXPECT_TRUE(measured({1}).is_known());
+}
+
+// Slopes on a shared machine that came out too small as often as too large, one in ten below 0 and
+// known as that alone. Left out, they would pull the median up. Where nothing is known (0.1 % of
+// the trials) the truth counts as missed. False alarms: 4 sigma, 6e-5.
+TEST(Median, HoldsTheTruthThroughDisturbedRoundsAsOftenAsStated) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> slope(1, 0.78); // P(slope < 0) = 0.1
+    const int trials = 20000, n = 9;
+    int held = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::vector<double> rounds;
+        for (int i = 0; i < n; ++i) {
+            const double v = slope(random);
+            rounds.push_back(v > 0 ? v : -INFINITY);
+        }
+        const Measured m = measured(rounds);
+        held += m.is_known() && m.low <= 1 && 1 <= m.high;
+    }
+    const double stated = interval_coverage(n);
+    EXPECT_THAT(double(held) / trials,
+                DoubleNear(stated, 4 * std::sqrt(stated * (1 - stated) / trials)));
 }
 
 TEST(Fit, TellsStartUpFromSlopeAndFindsTheExponent) {
