@@ -60,7 +60,7 @@ constexpr std::size_t branch_bytes(int branches) {
     return branches == 0 ? 0 : sizeof(std::uint32_t) + sizeof(int) + branches * sizeof(PendingRay);
 }
 
-// PoolView::kind of a slot whose ray hit nothing, or whose path has ended.
+// PoolView::kind of a slot whose ray hit nothing: nothing to shade.
 constexpr std::uint8_t no_kind = 7;
 
 // The arrays' memory.

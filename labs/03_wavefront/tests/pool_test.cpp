@@ -147,6 +147,32 @@ TEST(Task3_1, FeelersFindLightAndShadow) {
                 0, 0, "shadow_path() must ask occluded()");
 }
 
+// A point light in the middle of a grey sphere: every surface gets g = (a / pi) I / r^2 from it,
+// and passes a share a on, so L = g (1 + a + ... + a^(d-2)): light found at surface k counts as k
+// + 1.
+TEST(Task3_1, EveryBounceFindsTheLampWeightedByItsThroughput) {
+    for (const int depth : {2, 3, 8}) {
+        const Scene scene = small_scene(
+            {.materials = R"("wall": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
+             .shapes =
+                 R"({"kind": "sphere", "center": [0, 0, 0], "radius": 6, "material": "wall"})",
+             .lights = fmt::format(
+                 R"({{"kind": "point", "position": [0, 0, 0], "intensity": [{0}, {0}, {0}]}})",
+                 36 * 3.14159265358979),
+             .render = fmt::format(R"("max_depth": {}, "spp": 1, "roulette": false)", depth),
+             .width = 4,
+             .height = 4});
+        const double truth = 1 - std::pow(0.5, depth - 1);
+        for (const FilmPixel& pixel : trace(scene).film.pixels)
+            if (!expect_near(
+                    fmt::format("radiance around a point light in a grey sphere at depth {}",
+                                depth),
+                    pixel.sum[1], truth, 1e-4,
+                    "feeler_light = throughput * feeler.light, and none from the last surface"))
+                return;
+    }
+}
+
 // The paths themselves, counted from their records: the ledger must agree.
 TEST(Task3_1, TheLedgerCountsEveryPathOnce) {
     const Traced traced = trace(room(), {.pool = 200});
