@@ -1,0 +1,224 @@
+#!/usr/bin/env python3
+"""Makes every figure of the handouts of labs 01 and 02 again, from renders of raylab.
+
+    python3 tools/figures/figures.py                       # all, with build/cpu/app/raylab
+    python3 tools/figures/figures.py --only lanes error    # some of them
+    python3 tools/figures/figures.py --program build/mine/app/raylab
+
+Needs the program (`./raylab render 01 cornell` builds it) and Pillow (`pip install pillow`), which
+reduces pictures to 256 colours: noise does not compress, and a handout should load at once.
+Every function below is one figure: its scene, samples and seed stand in the caption too.
+"""
+import argparse
+import array
+import json
+import math
+import pathlib
+import subprocess
+import tempfile
+
+from PIL import Image
+
+from plot import COLOURS, INK, Plot
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LAB01, LAB02 = (ROOT / "labs" / lab / "figures" for lab in ("01_recursive", "02_iterative"))
+
+
+class Raylab:
+    def __init__(self, program, scratch):
+        self.program, self.scratch = program, scratch
+
+    def render(self, lab, scene, name, *options):
+        """Renders into the scratch folder; returns the image's path."""
+        output = self.scratch / name
+        subprocess.run([self.program, "render", lab, scene, "-q", "-o", output, *map(str, options)],
+                       check=True, cwd=ROOT)
+        return output
+
+    def picture(self, lab, scene, target, *options):
+        """A picture of the handout: rendered, then reduced to 256 colours."""
+        reduce(self.render(lab, scene, target.name, *options), target)
+
+    def snapshot(self, name, iterations):
+        stem, ending = name.split(".")
+        return self.scratch / f"{stem}_{iterations:04}.{ending}"
+
+    def ledger(self, scene, *options):
+        stats = self.scratch / "stats.json"
+        self.render("02", scene, "ledger.pfm", "--stats", stats, *options)
+        return json.loads(stats.read_text())
+
+
+def reduce(png, target):
+    target.parent.mkdir(exist_ok=True)
+    picture = Image.open(png).convert("RGB")
+    picture.quantize(256, method=Image.Quantize.MEDIANCUT).save(target, optimize=True)
+
+
+def square(pixels):
+    return "--width", pixels, "--height", pixels
+
+
+# --- lab 01 --------------------------------------------------------------------------------------
+
+def whitted(raylab):
+    raylab.picture("01", "whitted", LAB01 / "whitted.png", "--spp", 64)
+
+
+def cornell(raylab):
+    raylab.picture("01", "cornell", LAB01 / "cornell.png", "--spp", 256)
+
+
+def spheres(raylab):
+    """Whitted's tracer and the path tracer on one scene."""
+    for integrator in ("whitted", "path"):
+        raylab.picture("01", "cornell_spheres", LAB01 / f"spheres_{integrator}.png", "--spp", 256,
+                       "--integrator", integrator, *square(192))
+
+
+def lens(raylab):
+    raylab.picture("01", "depth_of_field", LAB01 / "depth_of_field.png", "--spp", 256)
+
+
+def depth(raylab):
+    """What one more surface brings; depth 2 is direct light only."""
+    for surfaces in range(1, 6):
+        raylab.picture("01", "cornell", LAB01 / f"depth_{surfaces}.png", "--spp", 64, "--depth",
+                       surfaces, *square(160))
+
+
+def strategies(raylab):
+    """How a lamp is found: by feelers, by chance, by both."""
+    for strategy in ("bsdf", "light", "mis"):
+        raylab.picture("01", "cornell", LAB01 / f"strategy_{strategy}.png", "--spp", 4,
+                       "--direct-light", strategy, *square(192))
+
+
+def hemisphere(_):
+    """Uniform and cosine-weighted directions, and what one of them is worth under an even sky."""
+    plot = Plot("One sample of the light of an even sky of radiance 1",
+                "angle to the normal (degrees)", "estimate / mean", (0, 90), (0, 2.1))
+    plot.ticks(range(0, 91, 15), (0, 0.5, 1, 1.5, 2))
+    angles = range(0, 91, 2)
+    plot.curve([(a, 2 * math.cos(math.radians(a))) for a in angles], "uniform", COLOURS[0],
+               dots=False)
+    plot.curve([(a, 1) for a in angles], "cosine", COLOURS[1], dots=False)
+    plot.save(LAB01 / "hemisphere.svg")
+
+
+def fresnel(_):
+    def exact(cosine, eta):
+        sine2 = (1 - cosine * cosine) / (eta * eta)
+        if sine2 >= 1:
+            return 1
+        far = math.sqrt(1 - sine2)
+        return (((eta * cosine - far) / (eta * cosine + far)) ** 2
+                + ((cosine - eta * far) / (cosine + eta * far)) ** 2) / 2
+
+    def schlick(cosine):
+        return 0.04 + 0.96 * (1 - cosine) ** 5
+
+    plot = Plot("Light reflected by glass of index 1.5", "angle to the normal (degrees)",
+                "reflected part F", (0, 90), (0, 1.02))
+    plot.ticks(range(0, 91, 15), (0, 0.2, 0.4, 0.6, 0.8, 1))
+    angles = [a / 4 for a in range(0, 361)]
+    cosines = [(a, math.cos(math.radians(a))) for a in angles]
+    plot.curve([(a, exact(c, 1 / 1.5)) for a, c in cosines], "from inside", COLOURS[0],
+               dots=False, dy=-7)
+    plot.curve([(a, exact(c, 1.5)) for a, c in cosines], "from outside", COLOURS[1], dots=False,
+               dy=8)
+    plot.curve([(a, schlick(c)) for a, c in cosines], "Schlick, outside", COLOURS[2], dots=False,
+               dash="5 4", dy=23)
+    plot.save(LAB01 / "fresnel.svg")
+
+
+# --- lab 02 --------------------------------------------------------------------------------------
+
+def progressive(raylab):
+    """The lecture's 1, 20 and 250 iterations, out of one run."""
+    raylab.render("02", "cornell", "cornell.png", "--spp", 250, "--snapshots", "1,20,250")
+    for n in (1, 20, 250):
+        reduce(raylab.snapshot("cornell.png", n), LAB02 / f"iterations_{n}.png")
+
+
+def roulette(raylab):
+    for on, name in (("true", "on"), ("false", "off")):
+        raylab.picture("02", "cornell", LAB02 / f"roulette_{name}.png", "--spp", 16, "--roulette",
+                       on, *square(192))
+
+
+def lanes(raylab):
+    """Lanes at work, bounce by bounce, from the ledgers."""
+    plot = Plot("Lanes at work, of those that warps hold", "bounce", "share of lanes", (0, 9),
+                (0, 1.02))
+    plot.ticks(range(10), (0, 0.2, 0.4, 0.6, 0.8, 1), y_format="{:.0%}")
+    curves = [("white_furnace", (), -8), ("cornell, no roulette", ("--roulette", "false"), 10),
+              ("cornell", (), -2), ("cornell_spheres", (), 6), ("whitted", (), 0)]
+    for (name, options, dy), colour in zip(curves, COLOURS):
+        bounces = raylab.ledger(name.split(",")[0], "--spp", 4, *options)["bounces"]
+        points = [(b, row["lanes_alive"]) for b, row in enumerate(bounces[:10]) if row["rays"]]
+        plot.curve(points, name, colour, dy=dy)
+    plot.save(LAB02 / "lanes.svg")
+
+
+def error(raylab):
+    """Half the mean square of the difference of two seeds is the variance: no reference needed."""
+    counts = [2 ** k for k in range(9)]
+    plot = Plot("Cornell box: error against iterations", "iterations n", "relative error of a pixel",
+                (1, 256), (0.02, 2), log=True)
+    plot.ticks(counts, (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2), y_format="{:.0%}")
+    for sampler, colour in zip(("independent", "sobol"), COLOURS):
+        snapshots = ",".join(map(str, counts))
+        for seed in (1, 2):
+            raylab.render("02", "cornell", f"{sampler}{seed}.pfm", "--spp", counts[-1], "--seed",
+                          seed, "--sampler", sampler, "--snapshots", snapshots, *square(128))
+        last = [read_pfm(raylab.scratch / f"{sampler}{seed}.pfm") for seed in (1, 2)]
+        means = [(a + b) / 2 for a, b in zip(*last)]
+        points = []
+        for n in counts:
+            one, two = (read_pfm(raylab.snapshot(f"{sampler}{seed}.pfm", n)) for seed in (1, 2))
+            squares = [(a - b) ** 2 / 2 / (m * m) for a, b, m in zip(one, two, means) if m > 1e-3]
+            points.append((n, math.sqrt(sum(squares) / len(squares))))
+        print(sampler, ", ".join(f"{n}: {e:.3f}" for n, e in points))
+        plot.curve(points, sampler, colour)
+        if sampler == "independent":
+            first = points[0][1]
+            plot.curve([(n, first / math.sqrt(n)) for n in counts], "1 / sqrt(n)", INK, dots=False,
+                       dash="4 4", dy=-15)
+    plot.save(LAB02 / "error.svg")
+
+
+def read_pfm(path):
+    """All channels of a little-endian colour PFM, in the file's order."""
+    kind, _size, scale, data = path.read_bytes().split(b"\n", 3)
+    assert kind == b"PF" and float(scale) < 0, f"{path}: not a little-endian colour PFM"
+    values = array.array("f")
+    values.frombytes(data)
+    return values
+
+
+FIGURES = [whitted, cornell, spheres, lens, depth, strategies, hemisphere, fresnel, progressive,
+           roulette, lanes, error]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/cpu/app/raylab")
+    parser.add_argument("--only", nargs="+", choices=[f.__name__ for f in FIGURES])
+    options = parser.parse_args()
+    if not options.program.is_file():
+        parser.error(f"{options.program} is not there: build it, or name another with --program")
+    for folder in (LAB01, LAB02):
+        folder.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        raylab = Raylab(options.program.resolve(), pathlib.Path(scratch))
+        for figure in FIGURES:
+            if not options.only or figure.__name__ in options.only:
+                print(figure.__name__, flush=True)
+                figure(raylab)
+
+
+if __name__ == "__main__":
+    main()
