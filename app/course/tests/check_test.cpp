@@ -19,9 +19,8 @@ struct Outcome {
     std::string text; // standard output and standard error
 };
 
-Outcome raylab(const std::string& arguments) {
-    const std::string command = std::string(RAYLAB_CHECK_PROGRAM) + " " + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
+Outcome run(const std::string& command) {
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     Outcome outcome{-1, ""};
     std::array<char, 4096> buffer;
     while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
@@ -29,6 +28,10 @@ Outcome raylab(const std::string& arguments) {
     const int status = pclose(pipe);
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
+}
+
+Outcome raylab(const std::string& arguments) {
+    return run(std::string(RAYLAB_CHECK_PROGRAM) + " " + arguments);
 }
 
 void expect(const std::string& arguments, int code, const std::vector<std::string>& words) {
@@ -47,6 +50,16 @@ TEST(Check, WrongUsageIsRefused) {
     expect("release", 2, {"--output"});
     for (const std::string command : {"check", "prove", "release"})
         expect(command + " --help", 0, {"Examples"});
+}
+
+TEST(Help, OfTheScriptHasALineForEveryCommand) {
+    const Outcome help = run("./raylab --help");
+    EXPECT_EQ(help.code, 0);
+    for (const std::string command :
+         {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
+          "rare-cases", "prove", "release"})
+        EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
+    EXPECT_EQ(run("./raylab").code, 2);
 }
 
 TEST(Check, TheSolutionsPass) {
