@@ -87,6 +87,8 @@ void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
                                              sheet.number, list));
     }
     if (!options.no_build) {
+        fmt::print(stderr, "{}: building and checking it as its students will, for minutes\n",
+                   target.string());
         expect_stubs(sheet, part);
         expect_render(sheet, part);
         fs::remove_all(part / "build"); // knows the temporary name
