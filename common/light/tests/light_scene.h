@@ -1,6 +1,7 @@
 // A scene of one light, for the tests: owns what a SceneView points to.
 #pragma once
 
+#include "common/geometry/make_quad.h"
 #include "common/light/sample_light.h"
 
 #include <vector>
@@ -24,7 +25,7 @@ struct LightScene {
         lights.push_back({LightKind::sphere, int(spheres.size()) - 1, Vec3(0), Vec3(0)});
     }
     void add(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-        quads.push_back({{a, b, c, d}, normalize(cross(b - a, d - a)), {0, 0, 0}});
+        quads.push_back(make_quad({a, b, c, d}, {0, 0, 0}));
         lights.push_back({LightKind::quad, int(quads.size()) - 1, Vec3(0), Vec3(0)});
     }
     void add(Vec3 a, Vec3 b, Vec3 c) {
