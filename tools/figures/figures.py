@@ -78,13 +78,13 @@ def spheres(raylab):
 
 
 def lens(raylab):
-    raylab.picture("01", "depth_of_field", LAB01 / "depth_of_field.png", "--spp", 256)
+    raylab.picture("01", "depth_of_field", LAB01 / "depth_of_field.png", "--spp", 64)
 
 
 def depth(raylab):
     """What one more surface brings; depth 2 is direct light only."""
     for surfaces in range(1, 6):
-        raylab.picture("01", "cornell", LAB01 / f"depth_{surfaces}.png", "--spp", 64, "--depth",
+        raylab.picture("01", "cornell", LAB01 / f"depth_{surfaces}.png", "--spp", 32, "--depth",
                        surfaces, *square(160))
 
 
@@ -137,7 +137,8 @@ def fresnel(_):
 
 def progressive(raylab):
     """The lecture's 1, 20 and 250 iterations, out of one run."""
-    raylab.render("02", "cornell", "cornell.png", "--spp", 250, "--snapshots", "1,20,250")
+    raylab.render("02", "cornell", "cornell.png", "--spp", 250, "--snapshots", "1,20,250",
+                  *square(192))
     for n in (1, 20, 250):
         reduce(raylab.snapshot("cornell.png", n), LAB02 / f"iterations_{n}.png")
 
@@ -154,7 +155,7 @@ def lanes(raylab):
                 (0, 1.02))
     plot.ticks(range(10), (0, 0.2, 0.4, 0.6, 0.8, 1), y_format="{:.0%}")
     curves = [("white_furnace", (), -8), ("cornell, no roulette", ("--roulette", "false"), 10),
-              ("cornell", (), -2), ("cornell_spheres", (), 6), ("whitted", (), 0)]
+              ("cornell", (), -2), ("cornell_spheres", (), -8), ("whitted", (), 0)]
     for (name, options, dy), colour in zip(curves, COLOURS):
         bounces = raylab.ledger(name.split(",")[0], "--spp", 4, *options)["bounces"]
         points = [(b, row["lanes_alive"]) for b, row in enumerate(bounces[:10]) if row["rays"]]
@@ -172,7 +173,7 @@ def error(raylab):
         snapshots = ",".join(map(str, counts))
         for seed in (1, 2):
             raylab.render("02", "cornell", f"{sampler}{seed}.pfm", "--spp", counts[-1], "--seed",
-                          seed, "--sampler", sampler, "--snapshots", snapshots, *square(128))
+                          seed, "--sampler", sampler, "--snapshots", snapshots, *square(64))
         last = [read_pfm(raylab.scratch / f"{sampler}{seed}.pfm") for seed in (1, 2)]
         means = [(a + b) / 2 for a, b in zip(*last)]
         points = []
