@@ -58,8 +58,9 @@ TEST_P(Task3_2, IsTheSumOfAllBeforeAtAnyLength) {
         if (!expect_right(name(), GetParam(), n)) return;
 }
 
-// Three levels of tiles.
+// Three levels of tiles. What fails at 1025 need not be tried with a million.
 TEST_P(Task3_2, HoldsAroundAMillion) {
+    if (!expect_right(name(), GetParam(), 1025)) return;
     for (const std::int64_t n : {(1 << 20) - 1, 1 << 20, (1 << 20) + 1})
         if (!expect_right(name(), GetParam(), n)) return;
 }
