@@ -17,17 +17,9 @@
 
 namespace raylab {
 
-// The material's kind; known beforehand in a kernel for scenes of a single kind.
-template <Features F> HD MaterialKind kind_of(const Material& m) {
-    constexpr Features materials =
-        F & (feature::diffuse | feature::mirror | feature::glass | feature::phong |
-             feature::conductor | feature::rough_dielectric);
-    return materials == feature::diffuse ? MaterialKind::diffuse : m.kind;
-}
-
 // Does light leave the material in single directions only? Then light sampling is of no use.
 template <Features F> HD bool is_specular(const Material& m) {
-    switch (kind_of<F>(m)) {
+    switch (m.kind) {
     case MaterialKind::mirror:
         return (F & feature::mirror) != 0;
     case MaterialKind::glass:
@@ -51,7 +43,7 @@ HD BsdfValue evaluate_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, Vec3 wi
     if (!(wo.z * wi.z > 0)) return {}; // nothing passes an opaque surface
     wo.z = fabsf(wo.z);
     wi.z = fabsf(wi.z);
-    switch (kind_of<F>(m)) {
+    switch (m.kind) {
     case MaterialKind::diffuse:
         if constexpr ((F & feature::diffuse) != 0) return evaluate_diffuse(reflectance, wi);
         break;
@@ -75,7 +67,7 @@ HD BsdfSample sample_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, float u_
     if (wo.z == 0) return {};
     const Vec3 up(wo.x, wo.y, fabsf(wo.z));
     BsdfSample sample;
-    switch (kind_of<F>(m)) {
+    switch (m.kind) {
     case MaterialKind::diffuse:
         if constexpr ((F & feature::diffuse) != 0) sample = sample_diffuse(reflectance, u);
         break;
