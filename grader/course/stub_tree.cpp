@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace raylab {
 
@@ -47,6 +48,20 @@ void check_regions(const LabSheet& sheet, const MarkedSource& source, const std:
     }
 }
 
+// `check` sends a student to a section of the handout: it must be there.
+void check_hints(const LabSheet& sheet) {
+    std::set<std::string> headings;
+    std::istringstream handout(read_file((sheet.path() / "README.md").string()));
+    for (std::string line; std::getline(handout, line);)
+        if (line.starts_with('#') && line.find("# ") != line.npos)
+            headings.insert(line.substr(line.find("# ") + 2));
+    for (const Task& task : sheet.tasks)
+        if (!headings.contains(task.hints))
+            throw CourseError(fmt::format("labs/{}/README.md has no section \"{}\", but lab.json "
+                                          "says that the hints of task {} are there",
+                                          sheet.folder, task.hints, task.id));
+}
+
 } // namespace
 
 const MarkedSource* LabSources::find(const std::string& file) const {
@@ -57,6 +72,7 @@ const MarkedSource* LabSources::find(const std::string& file) const {
 }
 
 LabSources read_lab_sources(const LabSheet& sheet) {
+    check_hints(sheet);
     LabSources lab{sheet, {}};
     for (const fs::path& file : files_below(sheet.path())) {
         if (!is_source(file) || file.begin()->string() == "tests") continue;

@@ -16,7 +16,8 @@ struct LabSources {
 };
 
 // Reads the lab's sources and holds them against its sheet: every region is of a task that exists
-// and that lists the file, every file that a task lists has a region of it. Throws CourseError.
+// and that lists the file, every file that a task lists has a region of it, and the handout has the
+// section with its hints. Throws CourseError.
 LabSources read_lab_sources(const LabSheet& sheet);
 
 // Is this, relative to the lab's folder, handed out? Not: variations, and tests that the sheet does

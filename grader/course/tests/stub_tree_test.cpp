@@ -101,6 +101,12 @@ TEST_F(StubTree, MarkersAndSheetMustAgree) {
     expect_error([&] { read_lab_sources(lab); }, {"labs/07_tiny/b.cpp:1: ", "does not list b.cpp"});
 }
 
+TEST_F(StubTree, TheHandoutHasTheHintsOfEveryTask) {
+    write("labs/07_tiny/README.md", "# Tiny\n\n## One\n\nTwo\n");
+    expect_error([&] { read_lab_sources(read_lab_sheet(root, "07_tiny")); },
+                 {"labs/07_tiny/README.md", "no section \"Two\"", "task 7.2"});
+}
+
 TEST_F(StubTree, ALabIsWrittenWithoutVariationsAndUnlistedTests) {
     const LabSources lab = read_lab_sources(read_lab_sheet(root, "07_tiny"));
     const std::filesystem::path copy = root / "copy";

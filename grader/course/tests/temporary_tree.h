@@ -19,6 +19,7 @@ class TemporaryTree : public testing::Test {
         write("labs/07_tiny/tests/a_test.cpp", "// public\n");
         write("labs/07_tiny/tests/secret_test.cpp", "// not listed\n");
         write("labs/07_tiny/variations/v.json", "{}\n");
+        write("labs/07_tiny/README.md", "# Tiny\n\n## One\n\n## Two\n");
         write("labs/07_tiny/lab.json", sheet);
     }
     void TearDown() override { std::filesystem::remove_all(root); }
