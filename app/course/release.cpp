@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 namespace raylab::app {
 
 namespace fs = std::filesystem;
@@ -20,6 +25,28 @@ struct ReleaseOptions {
     std::string folder;
     std::vector<std::string> labs;
     bool no_build = false;
+};
+
+// One release at a time writes to a folder: it begins by removing what an interrupted one left.
+class FolderLock {
+  public:
+    explicit FolderLock(const std::string& folder) {
+        fs::create_directories(folder);
+        handle_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) == 0) return;
+        const int error = errno;
+        if (handle_ >= 0) close(handle_);
+        if (error != EWOULDBLOCK) throw std::system_error(error, std::generic_category(), folder);
+        throw CourseError(fmt::format("another release is writing to '{}': wait for its end, or "
+                                      "name another folder with -o",
+                                      folder));
+    }
+    ~FolderLock() { close(handle_); }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int handle_;
 };
 
 // Runs the tree's own ./raylab; nothing of this build reaches it. What ccache, if there is one, has
@@ -106,6 +133,7 @@ ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
     if (labs.empty()) labs = lab_folders(tree.root);
     std::vector<LabSheet> sheets; // a mistake in any is found before the work begins
     for (const std::string& lab : labs) sheets.push_back(find_lab(tree.root, lab));
+    const FolderLock lock(options.folder);
     Progress progress("releasing", static_cast<int>(sheets.size()), "labs", 1);
     int done = 0;
     for (const LabSheet& sheet : sheets) {

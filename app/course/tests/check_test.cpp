@@ -4,10 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/file.h>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -78,6 +81,10 @@ TEST(Release, OneTreeALab) {
     EXPECT_FALSE(fs::exists(folder + "/02_iterative/labs/01_recursive"));
     EXPECT_FALSE(fs::exists(folder + "/01_recursive/common/geometry/intersect.h"));
     expect("release --labs 01 -o " + folder + how, 2, {"is there already"});
+    const int handle = open(folder.c_str(), O_RDONLY);
+    ASSERT_EQ(flock(handle, LOCK_EX), 0);
+    expect("release --labs 01 -o " + folder + how, 2, {"another release is writing to"});
+    close(handle);
     fs::remove_all(folder);
 }
 
