@@ -7,6 +7,7 @@
 
 Needs the program (`./raylab render 01 cornell` builds it) and Pillow (`pip install pillow`), which
 reduces pictures to 256 colours: noise does not compress, and a handout should load at once.
+The pictures of mistakes are renders of wrong programs, built one after the other in build/figures.
 Every function below is one figure: its scene, samples and seed stand in the caption too.
 """
 import argparse
@@ -14,6 +15,7 @@ import array
 import json
 import math
 import pathlib
+import shutil
 import subprocess
 import tempfile
 
@@ -26,8 +28,8 @@ LAB01, LAB02 = (ROOT / "labs" / lab / "figures" for lab in ("01_recursive", "02_
 
 
 class Raylab:
-    def __init__(self, program, scratch):
-        self.program, self.scratch = program, scratch
+    def __init__(self, program, scratch, build):
+        self.program, self.scratch, self.build = program, scratch, build
 
     def render(self, lab, scene, name, *options):
         """Renders into the scratch folder; returns the image's path."""
@@ -133,6 +135,34 @@ def fresnel(_):
     plot.save(LAB01 / "fresnel.svg")
 
 
+# Wrong programs, for the handouts' "how they look": file, what is right in it, what is put there.
+MISTAKES = {
+    "acne": ("direct_light.h", "spawn_ray_to(surface, sample.p, sample.error, sample.n)",
+             "Ray{surface.p, sample.wi, sample.distance}"),
+    "first_hit": ("intersect.h", "if (hit.is_beaten_by(t, id))", "if (!hit.found())"),
+    "twice": ("path.cpp", "scattered.specular ? delta_pdf : scattered.pdf", "delta_pdf"),
+    "cosine": ("cosine.h", "return {wi, albedo, wi.z", "return {wi, albedo * wi.z, wi.z"),
+}
+
+
+def mistakes(raylab):
+    """Each mistake is built into a copy of the lab, laid over the tree, and rendered."""
+    overlay = raylab.scratch / "overlay"
+    lab = overlay / "labs/01_recursive"
+    configure = ["cmake", "-S", ROOT, "-B", raylab.build, "-G", "Ninja"]
+    program = Raylab(raylab.build / "app/raylab", raylab.scratch, raylab.build)
+    for name, (file, right, wrong) in MISTAKES.items():
+        shutil.rmtree(overlay, ignore_errors=True)
+        shutil.copytree(ROOT / "labs/01_recursive", lab)
+        source = (lab / file).read_text()
+        assert source.count(right) == 1, f"{file}: \"{right}\" should stand there once"
+        (lab / file).write_text(source.replace(right, wrong))
+        subprocess.run([*configure, f"-DRAYLAB_OVERLAY={overlay}"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["ninja", "-C", raylab.build, "raylab"], check=True, stdout=subprocess.DEVNULL)
+        program.picture("01", "cornell", LAB01 / f"mistake_{name}.png", "--spp", 16, *square(160))
+    subprocess.run([*configure, "-URAYLAB_OVERLAY"], check=True, stdout=subprocess.DEVNULL)
+
+
 # --- lab 02 --------------------------------------------------------------------------------------
 
 def progressive(raylab):
@@ -199,14 +229,16 @@ def read_pfm(path):
     return values
 
 
-FIGURES = [whitted, cornell, spheres, lens, depth, strategies, hemisphere, fresnel, progressive,
-           roulette, lanes, error]
+FIGURES = [whitted, cornell, spheres, lens, depth, strategies, hemisphere, fresnel, mistakes,
+           progressive, roulette, lanes, error]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/cpu/app/raylab")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/figures",
+                        help="folder in which wrong programs are built (%(default)s)")
     parser.add_argument("--only", nargs="+", choices=[f.__name__ for f in FIGURES])
     options = parser.parse_args()
     if not options.program.is_file():
@@ -214,7 +246,7 @@ def main():
     for folder in (LAB01, LAB02):
         folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        raylab = Raylab(options.program.resolve(), pathlib.Path(scratch))
+        raylab = Raylab(options.program.resolve(), pathlib.Path(scratch), options.build.resolve())
         for figure in FIGURES:
             if not options.only or figure.__name__ in options.only:
                 print(figure.__name__, flush=True)
