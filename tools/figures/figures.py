@@ -58,6 +58,10 @@ def reduce(png, target):
     picture.quantize(256, method=Image.Quantize.MEDIANCUT).save(target, optimize=True)
 
 
+def run_quietly(*command):
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
 def square(pixels):
     return "--width", pixels, "--height", pixels
 
@@ -157,10 +161,10 @@ def mistakes(raylab):
         source = (lab / file).read_text()
         assert source.count(right) == 1, f"{file}: \"{right}\" should stand there once"
         (lab / file).write_text(source.replace(right, wrong))
-        subprocess.run([*configure, f"-DRAYLAB_OVERLAY={overlay}"], check=True, stdout=subprocess.DEVNULL)
-        subprocess.run(["ninja", "-C", raylab.build, "raylab"], check=True, stdout=subprocess.DEVNULL)
+        run_quietly(*configure, f"-DRAYLAB_OVERLAY={overlay}")
+        run_quietly("ninja", "-C", raylab.build, "raylab")
         program.picture("01", "cornell", LAB01 / f"mistake_{name}.png", "--spp", 16, *square(160))
-    subprocess.run([*configure, "-URAYLAB_OVERLAY"], check=True, stdout=subprocess.DEVNULL)
+    run_quietly(*configure, "-URAYLAB_OVERLAY")
 
 
 # --- lab 02 --------------------------------------------------------------------------------------
@@ -246,7 +250,8 @@ def main():
     for folder in (LAB01, LAB02):
         folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        raylab = Raylab(options.program.resolve(), pathlib.Path(scratch), options.build.resolve())
+        raylab = Raylab(options.program.resolve(), pathlib.Path(scratch),
+                        options.build.resolve())
         for figure in FIGURES:
             if not options.only or figure.__name__ in options.only:
                 print(figure.__name__, flush=True)
