@@ -22,9 +22,9 @@ def squeezed(line):
 
 def solution_lines(lab):
     """Lines between //[ task and //| in the lab's sources."""
-    for source in lab.glob("*.*"):
+    for source in (f for f in lab.iterdir() if f.suffix in (".h", ".cpp", ".cu")):
         inside = False
-        for line in source.read_text().splitlines() if source.suffix in (".h", ".cpp", ".cu") else ():
+        for line in source.read_text().splitlines():
             mark = line.strip()
             inside = mark.startswith("//[ task") or (inside and not mark.startswith(("//|", "//]")))
             if inside and len(squeezed(line)) >= SHORTEST:

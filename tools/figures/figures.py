@@ -200,8 +200,8 @@ def lanes(raylab):
 def error(raylab):
     """Half the mean square of the difference of two seeds is the variance: no reference needed."""
     counts = [2 ** k for k in range(9)]
-    plot = Plot("Cornell box: error against iterations", "iterations n", "relative error of a pixel",
-                (1, 256), (0.02, 2), log=True)
+    plot = Plot("Cornell box: error against iterations", "iterations n",
+                "relative error of a pixel", (1, 256), (0.02, 2), log=True)
     plot.ticks(counts, (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2), y_format="{:.0%}")
     for sampler, colour in zip(("independent", "sobol"), COLOURS):
         snapshots = ",".join(map(str, counts))

@@ -1,4 +1,4 @@
-"""A small line plot as SVG, with the standard library only: axes, grid, curves, labels beside them."""
+"""A small line plot as SVG, with the standard library only."""
 import html
 import math
 
