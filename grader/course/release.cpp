@@ -1,6 +1,7 @@
 #include "grader/course/release.h"
 
 #include "common/cli/files.h"
+#include "common/scene/suggest.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,21 +56,24 @@ std::string student_presets(const std::string& text) {
 }
 
 std::string student_readme(const LabSheet& sheet) {
-    std::string scenes;
-    for (const std::string& scene : sheet.scenes)
-        scenes += fmt::format("    ./raylab render {} {} -o {}.png\n", sheet.number, scene, scene);
-    return fmt::format(
-        "# raylab, lab {}: {}\n\n"
-        "The handout is [labs/{}/README.md](labs/{}/README.md). Fill in the tasks'\n"
-        "functions in that folder; each says where it is missing:\n\n"
-        "    ./raylab check {}              # every task: NOT IMPLEMENTED, WRONG or "
-        "PASS\n"
-        "    ./raylab check {} {} --watch   # one task, again at every save\n"
-        "{}"
-        "    ./raylab demo                 # everything rendered and judged\n\n"
-        "The script installs what is missing (it asks once), configures and builds.\n",
-        sheet.number, sheet.title, sheet.folder, sheet.folder, sheet.number, sheet.number,
-        sheet.tasks.front().id, scenes);
+    const auto line = [](const std::string& command, const std::string& what) {
+        return fmt::format("    {:40}# {}\n", "./raylab " + command, what);
+    };
+    std::string commands =
+        line("check " + sheet.number, "every task: NOT IMPLEMENTED, WRONG or PASS") +
+        line(fmt::format("check {} {} --watch", sheet.number, sheet.tasks.front().id),
+             "one task, again at every save");
+    if (!sheet.scenes.empty())
+        commands += line(fmt::format("render {} {} -o image.png", sheet.number, sheet.scenes[0]),
+                         "scenes: " + listed(sheet.scenes));
+    commands += line("demo", "everything rendered and judged") +
+                line("--help", "every command; each has examples");
+    return fmt::format("# raylab, lab {}: {}\n\n"
+                       "The handout is [labs/{}/README.md](labs/{}/README.md). Fill in the tasks'\n"
+                       "functions in that folder; each says where it is missing:\n\n{}\n"
+                       "The script installs what is missing (it asks once), configures and builds: "
+                       "the first\ncheck takes minutes, every later one seconds.\n",
+                       sheet.number, sheet.title, sheet.folder, sheet.folder, commands);
 }
 
 // What the solution says and the stub beside it does not.
