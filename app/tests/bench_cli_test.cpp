@@ -9,6 +9,7 @@ namespace raylab::app {
 namespace {
 
 using nlohmann::json;
+using testing::AnyOf;
 using testing::HasSubstr;
 
 class BenchCli : public Cli {
@@ -72,7 +73,9 @@ TEST_F(BenchCli, WritesTableCsvJsonAndPage) {
     const Outcome again =
         raylab(bench("--peers none --labs 01,02 --against ") + in("out/bench.json"));
     EXPECT_EQ(again.code, 0) << again.text;
-    EXPECT_THAT(again.text, HasSubstr("ratios to 01"));
+    // On a busy machine so small a scene may have a round without a measurable slope.
+    EXPECT_THAT(again.text, AnyOf(HasSubstr("ratios to 01"),
+                                  HasSubstr("02: speed not compared, since a round of")));
 }
 
 TEST_F(BenchCli, APeerThatIsAbsentOrBreaksIsSaid) {

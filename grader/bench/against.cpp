@@ -39,7 +39,13 @@ std::optional<std::vector<double>> speeds_of(const json& row) {
 void compare_quantity(Comparison& result, Change change,
                       const std::optional<std::vector<double>>& now,
                       const std::optional<std::vector<double>>& other) {
-    if (!now || !other) return;
+    if (!now || !other) {
+        result.notes.push_back(fmt::format(
+            "{}, {}: {} not compared, since a round of {} run was disturbed; draw more "
+            "samples or wait for a quiet machine.",
+            change.scene, change.contestant, change.quantity, now ? "the other" : "this"));
+        return;
+    }
     change.ratio = ratio_of(*now, *other);
     change.verdict = !change.ratio.is_change() ? "noise"
                      : change.ratio.median > 1 ? "better"
