@@ -34,6 +34,9 @@ HD void record_hit(PathRecord& record, int id) {
     record.hits = (record.hits ^ static_cast<std::uint32_t>(id + 2)) * 0x9e3779b1u;
 }
 
+// And this once a shadow feeler.
+HD void record_feeler(PathRecord& record) { record.shadow_rays += record.shadow_rays < 65535; }
+
 struct BounceCounts {
     std::uint64_t rays = 0;              // paths alive when the bounce began
     std::uint64_t ended[path_ends] = {}; // of those, how many ended here, by cause

@@ -64,7 +64,7 @@ HD_HOT Feeler feeler_to_any(const SceneView& scene, DirectLight strategy,
 template <Features F>
 HD Vec3 trace_feeler(const SceneView& scene, const Feeler& feeler, PathRecord& record) {
     if (!feeler.sent) return Vec3(0);
-    record.shadow_rays += record.shadow_rays < 65535;
+    record_feeler(record);
     return occluded<F>(scene, feeler.ray) ? Vec3(0) : feeler.light;
 }
 

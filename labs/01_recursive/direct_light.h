@@ -30,7 +30,7 @@ inline Vec3 light_from(const Path& path, DirectLight strategy, int light, float 
     const Ray feeler = sample.distance == infinity
                            ? spawn_ray(surface, sample.wi)
                            : spawn_ray_to(surface, sample.p, sample.error, sample.n);
-    path.record.shadow_rays += path.record.shadow_rays < 65535;
+    record_feeler(path.record);
     if (any_hit(scene, feeler)) return Vec3(0);
 
     // A BSDF sample might have found the same light: the power heuristic shares between the two,

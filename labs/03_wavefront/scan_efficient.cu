@@ -20,11 +20,11 @@ __device__ constexpr int padded(int i) { return i + i / 32; }
 
 __global__ void efficient_kernel(const std::uint32_t* in, std::uint32_t* out, std::int64_t n,
                                  std::uint32_t* sums) {
-    //[ task 3.2
     __shared__ std::uint32_t tree[padded(tile_threads)];
     const int t = static_cast<int>(threadIdx.x);
     const std::int64_t first = global_index() * thread_items;
     std::uint32_t items[thread_items];
+    //[ task 3.2
     tree[padded(t)] = load_items(in, n, first, items);
 
     // Up: node i, the right end of 2 stride leaves, takes in its left sibling's sum.

@@ -55,8 +55,7 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
         pool.feeler_direction[slot] = feeler.ray.d;
         pool.feeler_t_max[slot] = feeler.ray.t_max;
         pool.feeler_light[slot] = throughput * feeler.light;
-        PathRecord& record = pool.record[slot];
-        record.shadow_rays += record.shadow_rays < 65535;
+        record_feeler(pool.record[slot]);
     }
 
     // A new direction, and the share of light that comes back from it.
