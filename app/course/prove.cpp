@@ -54,7 +54,6 @@ std::vector<State> states_of(const LabSheet& sheet, const std::vector<Variation>
 }
 
 void configure(const Tree& tree, const fs::path& overlay, const fs::path& build) {
-    if (fs::exists(build / "build.ninja")) return;
     // Warnings about what a stub leaves unused are no errors; -O1 compiles faster, and the tests
     // hold for any optimisation.
     std::vector<std::string> command = {"cmake",
@@ -118,11 +117,9 @@ void take(LabProof& proof, const State& state, const CheckReport& report) {
     }
 }
 
-LabProof prove_lab(const Tree& tree, const LabSheet& sheet) {
+LabProof prove_lab(const Tree& proof_tree, const fs::path& overlay, const LabSheet& sheet) {
     const LabSources lab = read_lab_sources(sheet);
     const std::vector<Variation> variations = read_variations(sheet);
-    const fs::path overlay = tree.root / "build/proof/overlay";
-    const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};
     LabProof proof{sheet, {}, {}};
     for (const Task& task : sheet.tasks)
         proof.tasks.push_back({task, false, false, static_cast<int>(variations.size()), 0, 0});
@@ -135,7 +132,6 @@ LabProof prove_lab(const Tree& tree, const LabSheet& sheet) {
             return state.variation && state.variation->file == file ? state.variation->apply(text)
                                                                     : text;
         });
-        configure(tree, overlay, proof_tree.build);
         const LabSheet laid_over = read_lab_sheet(overlay, sheet.folder);
         take(proof, state, check_tasks(proof_tree, laid_over, sheet.task_ids()));
         progress.update(++done);
@@ -177,10 +173,17 @@ struct ProveOptions {
 ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     std::vector<std::string> labs = options.labs;
     if (labs.empty()) labs = lab_folders(tree.root);
+    // CMake looks for the labs laid over when it configures: all must be there by then.
+    const fs::path overlay = tree.root / "build/proof/overlay";
+    const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};
+    for (const std::string& lab : labs)
+        write_lab(read_lab_sources(find_lab(tree.root, lab)), {}, overlay);
+    configure(tree, overlay, proof_tree.build);
+
     std::vector<LabProof> proofs;
     bool holds = true;
     for (const std::string& lab : labs) {
-        proofs.push_back(prove_lab(tree, find_lab(tree.root, lab)));
+        proofs.push_back(prove_lab(proof_tree, overlay, find_lab(tree.root, lab)));
         const LabProof& proof = proofs.back();
         for (const TaskProof& task : proof.tasks) {
             holds = holds && task.holds();

@@ -284,7 +284,12 @@ void WavefrontRenderer::regenerate() {
                                              next_pixel_.data(), pixels_, settings_.shuffle,
                                              results());
     });
-    if (next_pixel_.to_host().front() > pixels_) keep_alive();
+    if (next_pixel_.to_host().front() <= pixels_) return;
+    keep_alive();
+    if (listed_ == 0) return;
+    // Counted again: while compaction is a stub that removes nothing, the loop must end, too.
+    compaction_.count_alive(pool_.view().alive, live_.data(), listed_, counters_.data());
+    alive_ = read_counters().alive;
 }
 
 // The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays are
