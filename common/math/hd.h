@@ -9,7 +9,9 @@
 
 // HD_HOT: the same for what runs once a ray or more. It is inlined even where a host compiler would
 // rather call it: structs that pass through memory, written in pieces and read whole, stall a CPU.
-#if defined(__GNUC__) && !defined(__CUDACC__)
+// Not under a sanitizer, whose checks make compilers slow on large functions.
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define HD_HOT __attribute__((always_inline)) inline
 #else
 #define HD_HOT HD
