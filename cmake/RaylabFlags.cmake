@@ -17,7 +17,7 @@ else()
 endif()
 
 # A tree laid over this one: labs found there take the place of those here. Proves the tests of the
-# labs' tasks on stubs and variations (app/prove.cpp).
+# labs' tasks on stubs and variations (app/course/prove.cpp).
 set(RAYLAB_OVERLAY "" CACHE PATH "Folder whose labs/NN_name replaces the one here, or empty")
 
 # The compiler may use what the processor at hand has: with contraction off the bits stay, and

@@ -8,6 +8,7 @@
 
 namespace raylab {
 
+// p moved inwards until it is `reach` from every edge, or as far as the face has room for.
 template <int n>
 HD DVec3 moved_inside(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p, double reach) {
     const auto edge_from = [&](int i) { return DVec3(v[i + 1 < n ? i + 1 : 0]) - DVec3(v[i]); };
