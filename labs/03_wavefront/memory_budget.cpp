@@ -1,5 +1,8 @@
 #include "labs/03_wavefront/memory_budget.h"
 
+#include "labs/03_wavefront/compact.h"
+#include "labs/03_wavefront/pool.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +19,32 @@ std::size_t scene_bytes(const SceneView& scene) {
            bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
            bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
            bytes(scene.environment.column_cdf);
+}
+
+int branches_of(const RenderSettings& settings) {
+    return settings.integrator == Integrator::whitted ? std::max(1, settings.max_depth - 1) : 0;
+}
+
+std::array<bool, material_kinds> kinds_in(const Scene& scene) {
+    std::array<bool, material_kinds> present{};
+    for (const Material& material : scene.materials)
+        present[static_cast<int>(material.kind)] = true;
+    return present;
+}
+
+std::size_t slot_bytes(const Scene& scene, const WavefrontSettings& settings, std::int64_t n) {
+    std::size_t lists = 3;
+    if (settings.sort == MaterialSort::queues)
+        for (const bool present : kinds_in(scene)) lists += present;
+    const std::size_t words = (Compaction::words(settings.scan, n) + n - 1) / n;
+    return path_bytes + branch_bytes(branches_of(scene.render)) + 4 * (lists + words);
+}
+
+MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n) {
+    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
+    const std::size_t cache = settings.first_bounce_cache ? sizeof(Hit) : 0;
+    return {scene_bytes(view(scene)), pixels * (sizeof(FilmPixel) + sizeof(PathRecord) + cache),
+            slot_bytes(scene, settings, n)};
 }
 
 int pool_that_fits(std::int64_t budget, const MemoryNeeds& needs, int wanted) {

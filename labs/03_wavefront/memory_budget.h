@@ -5,6 +5,9 @@
 #pragma once
 
 #include "common/render/renderer.h"
+#include "labs/03_wavefront/queues.h"
+
+#include <array>
 
 namespace raylab::lab03 {
 
@@ -16,6 +19,19 @@ struct MemoryNeeds {
 
 // What the scene's arrays take.
 std::size_t scene_bytes(const SceneView& scene);
+
+// Room for Whitted's pending rays: one on each level that can split. 0 for path tracing.
+int branches_of(const RenderSettings& settings);
+
+// Every material's kind, by number: with MaterialSort::queues each has a queue.
+std::array<bool, material_kinds> kinds_in(const Scene& scene);
+
+// Device memory for each slot of a pool of n: the path, its branches, three lists, the queues, and
+// what compaction needs.
+std::size_t slot_bytes(const Scene& scene, const WavefrontSettings& settings, std::int64_t n);
+
+// All that a pool of n takes.
+MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n);
 
 // Slots that fit into `budget` bytes, at most `wanted`. Throws SettingsError, with the figures,
 // if there is not room for a warp.

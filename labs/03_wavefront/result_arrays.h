@@ -1,0 +1,42 @@
+// What outlives the paths: film, records, and what the ledger says of each bounce.
+#pragma once
+
+#include "common/device/device_array.h"
+#include "labs/03_wavefront/accumulate.h"
+
+#include <algorithm>
+
+namespace raylab::lab03 {
+
+class ResultArrays {
+  public:
+    // bounces: that are told apart; later ones count as the last.
+    ResultArrays(int pixels, int bounces)
+        : film_(pixels), records_(pixels), tallies_(static_cast<std::size_t>(shards) * bounces),
+          shadow_rays_(shards), launched_(bounces) {}
+
+    // As kernels see them.
+    Results view() {
+        return {film_.data(), records_.data(), tallies_.data(), shadow_rays_.data(), bounces()};
+    }
+
+    // The host's part of a bounce's account: lanes, blocks and batches.
+    BounceCounts& of_bounce(int bounce) { return launched_[std::min(bounce, bounces() - 1)]; }
+
+    std::vector<FilmPixel> film() const { return film_.to_host(); }
+    std::vector<PathRecord> records() const { return records_.to_host(); }
+
+    // Sets the ledger's bounces, its shadow rays and its rejected samples.
+    void write_to(Ledger& ledger) const;
+
+  private:
+    int bounces() const { return static_cast<int>(launched_.size()); }
+
+    DeviceArray<FilmPixel> film_;
+    DeviceArray<PathRecord> records_;
+    DeviceArray<EndTally> tallies_;
+    DeviceArray<unsigned long long> shadow_rays_;
+    std::vector<BounceCounts> launched_;
+};
+
+} // namespace raylab::lab03
