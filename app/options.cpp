@@ -22,7 +22,8 @@ const std::map<std::string, ScanKind> scans = {{"serial", ScanKind::serial},
                                                {"naive", ScanKind::naive},
                                                {"efficient", ScanKind::efficient},
                                                {"warp", ScanKind::warp},
-                                               {"library", ScanKind::library}};
+                                               {"library", ScanKind::library},
+                                               {"lookback", ScanKind::lookback}};
 const std::map<std::string, MaterialSort> sorts = {
     {"off", MaterialSort::off}, {"on", MaterialSort::on}, {"queues", MaterialSort::queues}};
 

@@ -6,7 +6,7 @@
 namespace raylab {
 
 // The prefix sums that compaction and sorting are made of.
-enum class ScanKind : int { serial, naive, efficient, warp, library };
+enum class ScanKind : int { serial, naive, efficient, warp, library, lookback };
 
 // What is done so that neighbouring threads shade the same kind of material: nothing; the list of
 // rays is sorted by kind; or each kind has a queue and a kernel of its own.

@@ -16,6 +16,8 @@ ScanFunction* scan_function(ScanKind kind) {
         return scan_warp;
     case ScanKind::library:
         return scan_library;
+    case ScanKind::lookback:
+        return scan_lookback;
     }
     return nullptr;
 }
@@ -31,6 +33,8 @@ std::int64_t scan_workspace(ScanKind kind, std::int64_t n) {
         return tiled_workspace(n);
     case ScanKind::library:
         return scan_library_workspace(n);
+    case ScanKind::lookback:
+        return scan_lookback_workspace(n);
     }
     return 0;
 }

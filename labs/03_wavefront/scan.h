@@ -1,7 +1,7 @@
 // Prefix sums (scan): out[i] = in[0] + in[1] + ... + in[i - 1], and out[0] = 0.
 //
 // The sum before an element is the place it goes to when only some are kept: compaction, sorting
-// and queues without atomics are all made of it. Here are five ways to one result, from the loop to
+// and queues without atomics are all made of it. Here are six ways to one result, from the loop to
 // the library. Harris, Sengupta and Owens, Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3,
 // chapter 39; Blelloch, Prefix Sums and Their Applications, 1990.
 //
@@ -24,10 +24,12 @@ ScanFunction scan_naive;     // Hillis and Steele: log n launches, n log n addit
 ScanFunction scan_efficient; // Blelloch: up and down a tree in shared memory, n additions
 ScanFunction scan_warp;      // shuffles within warps
 ScanFunction scan_library;   // CUB on a GPU, the standard library on the CPU machine
+ScanFunction scan_lookback;  // Merrill and Garland: one pass, each number read and written once
 
 // By name, and the numbers of workspace that it needs for up to n elements.
 ScanFunction* scan_function(ScanKind kind);
 std::int64_t scan_workspace(ScanKind kind, std::int64_t n);
 std::int64_t scan_library_workspace(std::int64_t n);
+std::int64_t scan_lookback_workspace(std::int64_t n);
 
 } // namespace raylab::lab03

@@ -1,32 +1,17 @@
-// A scan by warp shuffles. Harris, CUDA Pro Tip: warp shuffles, 2014; the scan itself is Hillis and
-// Steele's, over 32 lanes, where five rounds without barriers or memory beat any tree.
+// A scan by warp shuffles; see warp_scan.h.
 //
 // Three levels: each thread adds up its neighbours, each warp scans its threads' sums in registers,
 // and the first warp scans the warps' sums. Two barriers a tile instead of sixteen.
 #include "common/device/device_array.h"
-#include "common/task/not_implemented.h"
 #include "labs/03_wavefront/grid.h"
 #include "labs/03_wavefront/scan_tiles.h"
+#include "labs/03_wavefront/warp_scan.h"
 
 namespace raylab::lab03 {
 
 namespace {
 
-constexpr unsigned all_lanes = 0xffffffffu;
 constexpr int warps = tile_threads / 32;
-
-// The sum over the lanes up to and with this one.
-__device__ std::uint32_t warp_inclusive_scan(std::uint32_t value) {
-    //[ task 3.2
-    const int lane = static_cast<int>(threadIdx.x) % 32;
-    for (int distance = 1; distance < 32; distance *= 2) {
-        const std::uint32_t before = __shfl_up_sync(all_lanes, value, distance);
-        if (lane >= distance) value += before;
-    }
-    //| not_implemented("3.2", "scan_warp: warp_inclusive_scan()");
-    //]
-    return value;
-}
 
 __global__ void warp_kernel(const std::uint32_t* in, std::uint32_t* out, std::int64_t n,
                             std::uint32_t* sums) {

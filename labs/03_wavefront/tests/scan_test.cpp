@@ -1,5 +1,7 @@
-// Task 3.2: every scan against the definition, at lengths around every size a scan is built of.
+// Tasks 3.2 and 3.7: every scan against the definition, at lengths around every size a scan is
+// built of.
 #include "common/device/device_array.h"
+#include "common/device/launch.h"
 #include "common/task/facts.h"
 #include "labs/03_wavefront/scan.h"
 
@@ -11,12 +13,7 @@ namespace {
 
 using namespace task;
 
-constexpr const char* names[] = {"serial", "naive", "efficient", "warp", "library"};
-
-class Task3_2 : public testing::TestWithParam<ScanKind> {
-  protected:
-    std::string name() const { return names[static_cast<int>(GetParam())]; }
-};
+constexpr const char* names[] = {"serial", "naive", "efficient", "warp", "library", "lookback"};
 
 // Numbers that look random, and sums that wrap.
 std::vector<std::uint32_t> numbers(std::int64_t n) {
@@ -35,7 +32,7 @@ std::vector<std::uint32_t> scanned(ScanKind kind, const std::vector<std::uint32_
     return out.to_host();
 }
 
-bool expect_right(const std::string& name, ScanKind kind, std::int64_t n) {
+bool expect_right(ScanKind kind, std::int64_t n) {
     const std::vector<std::uint32_t> values = numbers(n);
     std::vector<std::uint32_t> expected(values.size());
     std::exclusive_scan(values.begin(), values.end(), expected.begin(), std::uint32_t{0});
@@ -43,46 +40,75 @@ bool expect_right(const std::string& name, ScanKind kind, std::int64_t n) {
     const auto [wrong, right] = std::mismatch(result.begin(), result.end(), expected.begin());
     if (wrong == result.end()) return true;
     const auto i = wrong - result.begin();
-    return expect_equal(fmt::format("scan_{} of {} numbers: out[{}]", name, n, i), *wrong, *right,
-                        i == 0      ? "the scan is exclusive: nothing comes before the first"
-                        : i < 32    ? "a round or a level is missing"
-                        : i < 1024  ? "a barrier is missing, or the sums of the warps or of the "
-                                      "tree's halves"
-                        : i < 65536 ? "the sums of the tiles before"
-                                    : "the sums of the tiles are many tiles themselves");
+    return expect_equal(
+        fmt::format("scan_{} of {} numbers: out[{}]", names[static_cast<int>(kind)], n, i), *wrong,
+        *right,
+        i == 0      ? "the scan is exclusive: nothing comes before the first"
+        : i < 32    ? "a round or a level is missing"
+        : i < 1024  ? "a barrier is missing, or the sums of the warps or of the "
+                      "tree's halves"
+        : i < 65536 ? "the sums of the tiles before"
+                    : "the sums of the tiles are many tiles themselves");
 }
 
-TEST_P(Task3_2, IsTheSumOfAllBeforeAtAnyLength) {
+void expect_right_at_any_length(ScanKind kind) {
     for (const std::int64_t n :
          {0, 1, 2, 3, 31, 32, 33, 127, 128, 129, 1023, 1024, 1025, 5000, 1 << 17})
-        if (!expect_right(name(), GetParam(), n)) return;
+        if (!expect_right(kind, n)) return;
 }
 
 // Three levels of tiles. What fails at 1025 need not be tried with a million.
-TEST_P(Task3_2, HoldsAroundAMillion) {
-    if (!expect_right(name(), GetParam(), 1025)) return;
+void expect_right_around_a_million(ScanKind kind) {
+    if (!expect_right(kind, 1025)) return;
     for (const std::int64_t n : {(1 << 20) - 1, 1 << 20, (1 << 20) + 1})
-        if (!expect_right(name(), GetParam(), n)) return;
+        if (!expect_right(kind, n)) return;
 }
 
-TEST_P(Task3_2, HoldsAtTenMillion) {
-    if (!expect_right(name(), GetParam(), 1025)) return;
-    expect_right(name(), GetParam(), 10'000'000);
+void expect_right_at_ten_million(ScanKind kind) {
+    if (expect_right(kind, 1025)) expect_right(kind, 10'000'000);
 }
 
 // What compaction scans: zeros and ones.
-TEST_P(Task3_2, CountsFlags) {
+void expect_right_counts(ScanKind kind) {
     const std::vector<std::uint32_t> none(1500, 0), all(1500, 1);
     std::vector<std::uint32_t> index(1500);
     std::iota(index.begin(), index.end(), 0u);
-    expect(scanned(GetParam(), none) == none, "the scan of zeros is not zero");
-    expect(scanned(GetParam(), all) == index, "the scan of ones is not 0, 1, 2, ...");
+    expect(scanned(kind, none) == none, "the scan of zeros is not zero");
+    expect(scanned(kind, all) == index, "the scan of ones is not 0, 1, 2, ...");
 }
+
+class Task3_2 : public testing::TestWithParam<ScanKind> {};
+
+TEST_P(Task3_2, IsTheSumOfAllBeforeAtAnyLength) { expect_right_at_any_length(GetParam()); }
+TEST_P(Task3_2, HoldsAroundAMillion) { expect_right_around_a_million(GetParam()); }
+TEST_P(Task3_2, HoldsAtTenMillion) { expect_right_at_ten_million(GetParam()); }
+TEST_P(Task3_2, CountsFlags) { expect_right_counts(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(All, Task3_2,
                          testing::Values(ScanKind::serial, ScanKind::naive, ScanKind::efficient,
                                          ScanKind::warp, ScanKind::library),
                          [](const auto& info) { return names[static_cast<int>(info.param)]; });
+
+constexpr ScanKind lookback = ScanKind::lookback;
+
+TEST(Task3_7, IsTheSumOfAllBeforeAtAnyLength) { expect_right_at_any_length(lookback); }
+TEST(Task3_7, HoldsAroundAMillion) { expect_right_around_a_million(lookback); }
+TEST(Task3_7, HoldsAtTenMillion) { expect_right_at_ten_million(lookback); }
+TEST(Task3_7, CountsFlags) { expect_right_counts(lookback); }
+
+// Whichever blocks start first, and however many run at once. If this does not end, a tile waits
+// for one that no block has begun: a block's number must not be its tile's.
+TEST(Task3_7, EndsInWhateverOrderBlocksStart) {
+    for (const int threads : {1, 2, 5})
+        for (const MachineSettings& machine :
+             {MachineSettings{.threads = threads, .order = ThreadOrder::reverse},
+              MachineSettings{.threads = threads, .order = ThreadOrder::random, .order_seed = 1},
+              MachineSettings{.threads = threads, .order = ThreadOrder::random, .order_seed = 2}}) {
+            configure_machine(machine);
+            for (const std::int64_t n : {1025, 50'000})
+                if (!expect_right(lookback, n)) return;
+        }
+}
 
 } // namespace
 
