@@ -83,6 +83,13 @@ int Node::integer() const {
     return int(json_->number);
 }
 
+std::uint32_t Node::seed() const {
+    const double value = number();
+    if (!(value >= 0 && value <= 4294967295.0 && value == std::floor(value)))
+        fail_expected("an integer from 0 to 4294967295");
+    return std::uint32_t(value);
+}
+
 double Node::number(double low, double high) const {
     if (json_->kind != Json::Kind::number) fail_expected("a number");
     if (json_->number < low || json_->number > high) {

@@ -4,6 +4,7 @@
 #include "common/math/vec.h"
 #include "common/scene/located_json.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ class Node {
     bool boolean() const;
     std::string string() const;
     int integer() const; // within int
+    std::uint32_t seed() const;
     double number(double low = std::numeric_limits<double>::lowest(),
                   double high = std::numeric_limits<double>::max()) const; // also within float
     double positive() const;                                               // > 0, also as float

@@ -51,10 +51,7 @@ void SceneBuilder::read_mesh(const Node& shape) {
         file.fail(error.what());
     }
     for (const std::string& warning : mesh.warnings) scene_.warnings.push_back(warning);
-    if (scene_.triangles.size() + mesh.triangles.size() > max_triangles)
-        file.fail(fmt::format("the scene has more than {} triangles; use fewer or smaller meshes",
-                              max_triangles));
-    add_mesh(shape, mesh);
+    add_mesh(shape, file, mesh);
 }
 
 // The scene's material for each of the mesh's own, which are used where the shape names none.
@@ -73,11 +70,13 @@ std::vector<int> SceneBuilder::add_mesh_materials(const Node& file, Mesh& mesh) 
     return indices;
 }
 
-void SceneBuilder::add_mesh(const Node& shape, Mesh& mesh) {
-    const Node file = shape.at("file");
+void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
+    if (scene_.triangles.size() + mesh.triangles.size() > max_triangles)
+        from.fail(fmt::format("the scene has more than {} triangles; use fewer or smaller meshes",
+                              max_triangles));
     const auto named = shape.find("material");
     const int material = named ? material_named(*named) : -1;
-    const std::vector<int> own = named ? std::vector<int>{} : add_mesh_materials(file, mesh);
+    const std::vector<int> own = named ? std::vector<int>{} : add_mesh_materials(from, mesh);
     const auto smooth_node = shape.find("smooth");
     const bool flat = smooth_node && !smooth_node->boolean();
     if (smooth_node && !flat &&
@@ -104,7 +103,7 @@ void SceneBuilder::add_mesh(const Node& shape, Mesh& mesh) {
         }
         const bool textured = scene_.materials[triangle.tags.material].texture >= 0;
         if (textured && source.uv[0] < 0)
-            (named ? *named : file)
+            (named ? *named : from)
                 .fail("the material has a texture, but the mesh has no texture "
                       "coordinates; use a material without, or another mesh");
         const bool smooth = !flat && source.normal[0] >= 0;
@@ -126,7 +125,7 @@ void SceneBuilder::add_mesh(const Node& shape, Mesh& mesh) {
     if (dropped > 0)
         scene_.warnings.push_back(
             fmt::format("{}: {} of {} triangles have no area or are not finite and are left out",
-                        file.place(), dropped, mesh.triangles.size()));
+                        from.place(), dropped, mesh.triangles.size()));
     cut_into_runs(scene_.triangles, first, scene_.runs);
 }
 

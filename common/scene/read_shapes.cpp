@@ -1,5 +1,5 @@
 // The `shapes` block: spheres, boxes, quads, planes, triangles, transformed into world space.
-// Meshes are in read_mesh.cpp.
+// Meshes are in read_mesh.cpp and read_procedural.cpp.
 #include "common/geometry/make_quad.h"
 #include "common/scene/keys.h"
 #include "common/scene/scene_builder.h"
@@ -30,10 +30,15 @@ void SceneBuilder::read_shapes(const Node& shapes) {
     for (const Node& shape : shapes.elements()) {
         shape.expect_object();
         const Node kind = shape.at("kind");
-        const std::string word = kind.word({"sphere", "box", "quad", "plane", "triangle", "mesh"});
+        const std::string word =
+            kind.word({"sphere", "box", "quad", "plane", "triangle", "mesh", "procedural"});
         shape.expect_keys(scene_keys().at("shape " + word), "a shape of kind " + word);
         if (word == "mesh") {
             read_mesh(shape);
+            continue;
+        }
+        if (word == "procedural") {
+            read_procedural(shape);
             continue;
         }
         const int material = material_named(shape.at("material"));

@@ -99,12 +99,7 @@ void SceneBuilder::read_render(const Node& root, const Node& film) {
                 {{"path", Integrator::path}, {"whitted", Integrator::whitted}});
         if (const auto n = render->find("max_depth")) s.max_depth = n->integer();
         if (const auto n = render->find("spp")) s.spp = n->integer();
-        if (const auto n = render->find("seed")) {
-            const double seed = n->number();
-            if (!(seed >= 0 && seed <= 4294967295.0 && seed == std::floor(seed)))
-                n->fail_expected("an integer from 0 to 4294967295");
-            s.seed = std::uint32_t(seed);
-        }
+        if (const auto n = render->find("seed")) s.seed = n->seed();
         if (const auto n = render->find("sampler"))
             s.sampler = n->one_of<SamplerKind>(
                 {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}});

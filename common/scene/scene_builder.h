@@ -49,6 +49,7 @@ class SceneBuilder {
     void read_plane(const Node& shape, int material);
     void read_triangle(const Node& shape, int material);
     void read_mesh(const Node& shape);
+    void read_procedural(const Node& shape);
 
     void make_area_lights();
     void read_environment(const Node& light);
@@ -56,7 +57,8 @@ class SceneBuilder {
     Vec3 placed(const Node& shape, const Transform& transform,
                 DVec3 p) const; // error if not finite
     void add_quad(const Node& shape, const Vec3 (&v)[4], int material);
-    void add_mesh(const Node& shape, Mesh& mesh);
+    // `from`: the key that says which mesh it is.
+    void add_mesh(const Node& shape, const Node& from, Mesh& mesh);
     std::vector<int> add_mesh_materials(const Node& file, Mesh& mesh);
 
     Material read_material(const Node& node);

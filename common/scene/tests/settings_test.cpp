@@ -1,5 +1,6 @@
 // Limits of a render, and the schema's and the loader's agreement on the keys.
 #include "common/scene/keys.h"
+#include "common/scene/procedural/procedural.h"
 #include "common/scene/tests/scene_files.h"
 
 #include <nlohmann/json.hpp>
@@ -82,6 +83,12 @@ TEST(Schema, ListsExactlyTheKeysTheLoaderKnows) {
     std::map<std::string, Keys> known;
     for (const auto& [block, keys] : scene_keys()) known[block] = Keys(keys.begin(), keys.end());
     EXPECT_EQ(listed, known);
+    for (const nlohmann::json& kind : blocks.at("shapes").at("items").at("oneOf")) {
+        const nlohmann::json& keys = kind.at("properties");
+        if (keys.at("kind").at("const") == "procedural") {
+            EXPECT_EQ(keys.at("mesh").at("enum"), procedural_mesh_names());
+        }
+    }
 }
 
 } // namespace
