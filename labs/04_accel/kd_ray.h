@@ -1,0 +1,78 @@
+// What the walks of a KD-tree share: where a ray meets a plane, and why no hit is lost to rounding.
+//
+// All walks compute a plane's t by the same three operations, in double, and compare those t alone.
+// So for them the planes that a ray meets have one order, and each walk comes to the same leaves.
+//
+// A leaf holds every triangle that comes within `margin` of its cell (kd_margin.h), at least 2^-40
+// of the scene. That covers what may put a ray's point outside the cell that a walk looks for it
+// in:
+//   - t has three roundings: 3 * 2^-53 |plane - o|, sideways;
+//   - a component of d below 2^-50 counts as 2^-50: 2^-50 t, and no plane has a t that is not
+//   finite;
+//   - the triangle test takes the ray to pass an edge that it misses by 2^-49 of the corners'
+//     distance (sheared_ray.h).
+// So nothing is lost for origins within 2^8 scenes around. A ray in a split plane may go either
+// way.
+#pragma once
+
+#include "common/geometry/ray.h"
+#include "labs/04_accel/kd_tree.h"
+
+namespace raylab::lab04 {
+
+struct KdRay {
+    double o[3], inv_d[3];
+    int negative[3]; // 1: the ray goes down this axis
+
+    HD_HOT explicit KdRay(const Ray& ray) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = (&ray.d.x)[axis];
+            o[axis] = (&ray.o.x)[axis];
+            inv_d[axis] = 1 / (fabs(d) < 0x1p-50 ? copysign(0x1p-50, d) : d);
+            negative[axis] = inv_d[axis] < 0;
+        }
+    }
+
+    HD_HOT double t_at(int axis, float plane) const { return (plane - o[axis]) * inv_d[axis]; }
+
+    // Of the two children, the one that the ray comes to first.
+    HD_HOT int first(const KdNode& node) const { return node.below() + negative[node.axis()]; }
+    HD_HOT int second(const KdNode& node) const { return node.above() - negative[node.axis()]; }
+};
+
+// The part of a ray inside a cell.
+struct KdInterval {
+    double begin, end;
+};
+
+// Where the ray is inside the box, from its origin on; end < begin: nowhere.
+HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
+    KdInterval part{0, infinity};
+    for (int axis = 0; axis < 3; ++axis) {
+        const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
+        const double enter = ray.t_at(axis, ray.negative[axis] ? high : low);
+        const double leave = ray.t_at(axis, ray.negative[axis] ? low : high);
+        if (enter > part.begin) part.begin = enter;
+        if (leave < part.end) part.end = leave;
+    }
+    return part;
+}
+
+// Is all that begins at t too far away to matter? A hit's t is a float, rounded from its real place
+// by 2^-24 of it: a margin of eight times that leaves no hit that could still tie.
+HD_HOT bool is_beyond(double t, float reach) { return reach < t * (1 - 0x1p-21); }
+
+// Calls query.visit() for the blocks of a leaf. True: the walk may end.
+template <class Query> HD_HOT bool visit_leaf(const KdNode& leaf, Query& query) {
+    for (int i = 0; i < leaf.blocks(); ++i)
+        if (query.visit(leaf.first_block + i)) return true;
+    return false;
+}
+
+// Brute force: every block of the tree.
+template <class Query> HD void visit_all(const KdView& tree, Query& query) {
+    for (int block = 0; block < tree.blocks; ++block)
+        if (query.visit(block)) return;
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,71 @@
+// Task 4.3: walks without a stack find what brute force finds, to the last bit, and end.
+#include "common/task/facts.h"
+#include "labs/04_accel/tests/kd_cases.h"
+
+namespace raylab::lab04 {
+
+namespace {
+
+using namespace task;
+
+constexpr KdWalk without_stack[] = {KdWalk::ropes, KdWalk::restart};
+
+void find_all(const std::string& what, std::vector<Triangle> triangles,
+              const std::vector<Ray>& rays, const std::string& cause) {
+    const KdCase scene(std::move(triangles));
+    for (const KdWalk kind : without_stack) {
+        const std::string wrong = difference(scene, kind, rays);
+        expect(wrong.empty(), fmt::format("{}: {}; the likely cause: {}", what, wrong, cause));
+    }
+}
+
+TEST(Task4_3, RaysFindWhatBruteForceFinds) {
+    find_all("500 triangles anywhere", soup(500, 0.3f), any_rays(3000),
+             "the walk ends at the first hit, which may lie behind the leaf that it was found in");
+    find_all("512 triangles of a surface", hills(16), any_rays(3000),
+             "a leaf on the way is passed over");
+}
+
+TEST(Task4_3, RaysInSplitPlanesAreFoundAndEnd) {
+    find_all("400 triangles on a grid", on_grid(400), grid_rays(4000),
+             "a ray that meets two planes at the same t must get past both, and one that has met a "
+             "plane at t is behind it from t on");
+}
+
+TEST(Task4_3, NoTriangleAndOne) {
+    for (const int n : {0, 1, 5})
+        find_all(fmt::format("{} triangles", n), soup(n, 1), any_rays(300),
+                 "a tree without nodes, or with only a root");
+}
+
+TEST(Task4_3, RopesSaveTheWayDownAgain) {
+    const KdCase scene(hills(100));
+    double nodes[3] = {}, blocks[3] = {};
+    const std::vector<Ray> rays = any_rays(3000);
+    for (const Ray& ray : rays) {
+        for (int kind = 0; kind < 3; ++kind) {
+            const WalkCounts counts = scene.answer(kd_walks[kind], ray).closest;
+            nodes[kind] += counts.nodes / double(rays.size());
+            blocks[kind] += counts.blocks / double(rays.size());
+        }
+    }
+    const double stack = nodes[0], ropes = nodes[1], restart = nodes[2];
+    expect(ropes <= 1.05 * stack,
+           fmt::format("along ropes a ray visits {:.1f} nodes, with a stack {:.1f}, and should "
+                       "visit no more; the likely cause: the walk begins at the root again",
+                       ropes, stack));
+    expect(restart <= 4 * stack,
+           fmt::format("restarting, a ray visits {:.1f} nodes, with a stack {:.1f}, and should "
+                       "visit at most 4 times as many; the likely cause: the walk does not end "
+                       "where what is left lies behind the hit",
+                       restart, stack));
+    for (int kind = 1; kind < 3; ++kind)
+        expect(blocks[kind] <= 1.05 * blocks[0],
+               fmt::format("{} tests {:.2f} blocks a ray, that with a stack {:.2f}; the likely "
+                           "cause: leaves are visited that the ray does not come to, or twice",
+                           name(kd_walks[kind]), blocks[kind], blocks[0]));
+}
+
+} // namespace
+
+} // namespace raylab::lab04
