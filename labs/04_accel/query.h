@@ -7,6 +7,7 @@
 #include "common/geometry/bounds.h"
 #include "common/geometry/intersect.h"
 #include "common/scene/view.h"
+#include "labs/04_accel/bvh.h"
 #include "labs/04_accel/triangle_block.h"
 
 namespace raylab::lab04 {

@@ -1,0 +1,13 @@
+// Boxes by the surface area heuristic.
+#pragma once
+
+#include "common/geometry/shapes.h"
+#include "labs/04_accel/bvh_tree.h"
+
+namespace raylab::lab04 {
+
+// A tree over the triangles that can be hit: one with a NaN or an infinity among its corners is
+// left out. The same tree on every machine, whatever the number of threads.
+BvhTree build_bvh_sah(const std::vector<Triangle>& triangles);
+
+} // namespace raylab::lab04

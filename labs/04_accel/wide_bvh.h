@@ -1,0 +1,166 @@
+// Eight boxes a node, ten bits for each of their faces.
+//
+// A ray that visits a binary tree waits at every node: for the node's memory, then for the branch
+// that depends on it. With eight children a node it waits a third as often, and the eight boxes fit
+// into one vector register a face. Their faces are numbers of steps on a grid over the node, steps
+// that are powers of two, so that a node takes 96 bytes where plain floats took 224.
+// Ylitie, Karras and Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+// BVHs, HPG 2017.
+#pragma once
+
+#include "labs/04_accel/bvh.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace raylab::lab04 {
+
+constexpr int wide_children = 8;
+
+struct WideNode {
+    Vec3 origin;
+    float step;         // face q of an axis lies at origin + q step; a power of two
+    std::uint8_t inner; // a bit for each slot with a node,
+    std::uint8_t leaf;  // and for each with a block of triangles
+    std::uint16_t unused;
+    int first_child; // the nodes of the inner slots, one after the other
+    int first_block; // the blocks of the leaf slots
+    int parent;      // -1: the root
+    // The six faces of each slot's box, ten bits each, from the lowest bits up:
+    std::uint32_t face[2][wide_children]; // low x, high x, low z; low y, high y, high z
+};
+static_assert(sizeof(WideNode) == 96, "the handout promises 96 bytes a node");
+
+constexpr int face_bits = 10, last_face = (1 << face_bits) - 1;
+
+HD std::int32_t bits_of(float value) { return __builtin_bit_cast(std::int32_t, value); }
+
+HD float grid_face(std::uint32_t faces, int shift) {
+    return static_cast<float>(static_cast<int>(faces >> shift & last_face));
+}
+
+// The face of a box: side 0 is low, 1 is high.
+HD float grid_face(const WideNode& node, int slot, int axis, int side) {
+    return axis == 2 ? grid_face(node.face[side][slot], 2 * face_bits)
+                     : grid_face(node.face[axis][slot], side * face_bits);
+}
+
+struct WideView {
+    Array<WideNode> nodes; // the root first; none: no triangle
+    Vec3 extent;           // the largest |coordinate| on each axis
+};
+
+// A node in level k + 1 is a child of one in level k; the root is in level 0. Deep enough for any
+// tree (wide_build.cpp), and eight bits for each level are two machine words.
+constexpr int max_wide_levels = 16;
+
+HD int count_bits(std::uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    return __popc(bits);
+#else
+    return __builtin_popcount(bits);
+#endif
+}
+
+// The node or block in a slot: those before it are counted.
+HD int child_in(const WideNode& node, int slot) {
+    return node.first_child + count_bits(node.inner & ((1u << slot) - 1));
+}
+HD int block_in(const WideNode& node, int slot) {
+    return node.first_block + count_bits(node.leaf & ((1u << slot) - 1));
+}
+
+// A ray prepared for the boxes of nodes.
+//
+// A face at p lies at t = (p - o) / d. The walk computes q (step / d) + (origin / d - o / d), in
+// which no number is larger than size / |d|, size = |o| + extent, and each of the seven roundings
+// is less than u of that. So near faces are moved by 8 u size / |d| towards the ray, far ones away.
+struct WideRay {
+    Vec3 inv_d;
+    Vec3 near_shift, far_shift; // o / d, and the room for rounding
+    bool negative[3];
+    Vec3 o;
+    bool parallel[3]; // d = 0: the ray is between the two faces all the time, or never
+    bool any_parallel;
+
+    HD WideRay(const Ray& ray, Vec3 extent) : inv_d(1.0f / ray.d), o(ray.o) {
+        const Vec3 size = abs(ray.o) + extent;
+        any_parallel = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float d = (&ray.d.x)[axis];
+            parallel[axis] = d == 0;
+            any_parallel |= parallel[axis];
+            // So slow on this axis that it does not bound t: the products below stay finite.
+            const bool unbounded = fabsf(d) < 0x1p-40f;
+            float& inv = (&inv_d.x)[axis];
+            if (unbounded) inv = 0;
+            negative[axis] = inv < 0;
+            const float room = 8 * unit_roundoff * (&size.x)[axis] * fabsf(inv);
+            (&near_shift.x)[axis] = (&ray.o.x)[axis] * inv + room;
+            (&far_shift.x)[axis] = unbounded ? -infinity : (&ray.o.x)[axis] * inv - room;
+        }
+    }
+};
+
+// Of the slots, those whose box contains the ray on the axes along which it does not move.
+HD std::uint32_t between_faces(const WideNode& node, const WideRay& ray) {
+    std::uint32_t slots = 0xff;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!ray.parallel[axis]) continue;
+        const double origin = (&node.origin.x)[axis], o = (&ray.o.x)[axis], step = node.step;
+        for (int k = 0; k < wide_children; ++k)
+            if (origin + grid_face(node, k, axis, 0) * step > o ||
+                origin + grid_face(node, k, axis, 1) * step < o)
+                slots &= ~(1u << k);
+    }
+    return slots;
+}
+
+// What a ray meets of a node's boxes.
+struct WideCrossing {
+    std::uint32_t
+        slots; // a bit for each slot whose box it crosses; may have too many, never too few
+    int first; // the slot that it enters first, if any
+};
+
+// Which of the boxes in these slots does the ray cross within [0, t_max]?
+//
+// The larger of two floats is found among their bits, read as integers: not negative, they are in
+// the same order; and what is negative stays below 0, as which it counts. That is one instruction
+// of a cycle, where the larger of floats, one of which may be a NaN, takes two of four.
+HD_HOT WideCrossing crossed(const WideNode& node, const WideRay& ray, float t_max,
+                            std::uint32_t wanted) {
+    const Vec3 a = node.step * ray.inv_d;
+    const Vec3 b_near = node.origin * ray.inv_d - ray.near_shift;
+    const Vec3 b_far = node.origin * ray.inv_d - ray.far_shift;
+    // On each axis the ray enters through one side and leaves through the other.
+    const int enter_x = ray.negative[0] * face_bits, leave_x = face_bits - enter_x;
+    const int enter_y = ray.negative[1] * face_bits, leave_y = face_bits - enter_y;
+    const std::uint32_t* enter_z = node.face[ray.negative[2]];
+    const std::uint32_t* leave_z = node.face[1 - ray.negative[2]];
+    constexpr int z = 2 * face_bits;
+    if (ray.any_parallel) wanted &= between_faces(node, ray);
+    const std::int32_t last = bits_of(t_max);
+    std::uint32_t slots = 0, first = ~0u;
+    const auto larger = [](std::int32_t i, std::int32_t j) { return i > j ? i : j; };
+    const auto smaller = [](std::int32_t i, std::int32_t j) { return i < j ? i : j; };
+    for (int k = 0; k < wide_children; ++k) {
+        const std::uint32_t x = node.face[0][k], y = node.face[1][k];
+        const std::int32_t near_x = bits_of(grid_face(x, enter_x) * a.x + b_near.x),
+                           near_y = bits_of(grid_face(y, enter_y) * a.y + b_near.y),
+                           near_z = bits_of(grid_face(enter_z[k], z) * a.z + b_near.z),
+                           far_x = bits_of(grid_face(x, leave_x) * a.x + b_far.x),
+                           far_y = bits_of(grid_face(y, leave_y) * a.y + b_far.y),
+                           far_z = bits_of(grid_face(leave_z[k], z) * a.z + b_far.z);
+        const std::int32_t near = larger(larger(near_x, near_y), larger(near_z, 0)),
+                           far = smaller(smaller(far_x, far_y), smaller(far_z, last));
+        const std::uint32_t missed = near <= far ? 0 : ~0u;
+        const std::uint32_t unwanted = (wanted >> k & 1) - 1;
+        slots |= (~missed & 1) << k;
+        const std::uint32_t key = (static_cast<std::uint32_t>(near) & ~7u) | k | missed | unwanted;
+        first = key < first ? key : first;
+    }
+    return {slots & wanted, static_cast<int>(first & 7)};
+}
+
+} // namespace raylab::lab04
