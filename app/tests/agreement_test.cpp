@@ -2,67 +2,15 @@
 // iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative
 // lab gives the same bits however its threads are cut into blocks, ordered and shared out; so does
 // the wavefront, whatever its pool.
-#include "app/labs.h"
-#include "app/scene_changes.h"
-#include "common/scene/load.h"
+#include "app/tests/agreement.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
 
 namespace raylab::app {
 
 namespace {
-
-// A copy of the scene with a film of at most `side` pixels a side and few samples.
-Scene small(const std::string& name, int side, std::uint32_t seed) {
-    Scene scene = load_scene(find_scene(name));
-    const double shrink = std::min(1.0, static_cast<double>(side) /
-                                            std::max(scene.camera.width, scene.camera.height));
-    set_film_size(scene.camera, std::max(1, static_cast<int>(scene.camera.width * shrink)),
-                  std::max(1, static_cast<int>(scene.camera.height * shrink)));
-    scene.render.seed = seed;
-    return scene;
-}
-
-struct Traced {
-    Film film;
-    std::vector<std::vector<PathRecord>> records; // [iteration][pixel]
-};
-
-Traced trace(const std::string& lab, const Scene& scene, const MachineSettings& machine, int spp) {
-    const std::unique_ptr<Renderer> renderer = find_lab(lab).make(scene, machine);
-    Traced traced;
-    for (int i = 0; i < spp; ++i) {
-        renderer->add_iteration();
-        traced.records.push_back(renderer->records());
-    }
-    traced.film = renderer->film();
-    return traced;
-}
-
-bool same_bits(const Film& a, const Film& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
-// Where two renders part first, in words.
-std::string first_difference(const Traced& a, const Traced& b, int width) {
-    for (std::size_t sample = 0; sample < a.records.size(); ++sample)
-        for (std::size_t pixel = 0; pixel < a.records[sample].size(); ++pixel) {
-            const PathRecord& x = a.records[sample][pixel];
-            const PathRecord& y = b.records[sample][pixel];
-            if (x.length != y.length || x.end != y.end || x.hits != y.hits ||
-                x.shadow_rays != y.shadow_rays)
-                return "pixel (" + std::to_string(pixel % width) + ", " +
-                       std::to_string(pixel / width) + "), sample " + std::to_string(sample) +
-                       ": lengths " + std::to_string(x.length) + " and " +
-                       std::to_string(y.length) + ", feelers " + std::to_string(x.shadow_rays) +
-                       " and " + std::to_string(y.shadow_rays);
-        }
-    return "";
-}
 
 class EveryScene : public testing::TestWithParam<std::string> {};
 

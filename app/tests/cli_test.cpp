@@ -2,6 +2,8 @@
 // leaves no partial file behind.
 #include "app/tests/cli.h"
 
+#include <nlohmann/json.hpp>
+
 namespace raylab::app {
 namespace {
 
@@ -146,8 +148,31 @@ TEST_F(Cli, SnapshotsAreTheImagesOfShorterRuns) {
     EXPECT_NE(outcome.text.find("\"equal\": true"), std::string::npos) << outcome.text;
 }
 
+// Figures that do not depend on the clock.
+TEST_F(Cli, RareCasesShowWhereNothingIsGained) {
+    const Outcome outcome = raylab("rare-cases --repeats 1 --threads 1 --json 2>/dev/null");
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+    const nlohmann::json rows = nlohmann::json::parse(outcome.text);
+    ASSERT_EQ(rows.size(), 7u);
+    for (const auto& row : rows) {
+        const auto& without = row["without"];
+        const auto& with = row["with"];
+        EXPECT_GT(row["megakernel"]["seconds"], 0) << row["case"];
+        EXPECT_DOUBLE_EQ(without["rays"], with["rays"]) << row["case"];
+        EXPECT_LE(with["blocks"], without["blocks"]) << row["case"];
+    }
+    const auto saves_blocks = [&](int i) {
+        return rows[i]["with"]["blocks"].get<double>() <
+               0.99 * rows[i]["without"]["blocks"].get<double>();
+    };
+    EXPECT_TRUE(saves_blocks(0)) << "the usual case";
+    EXPECT_FALSE(saves_blocks(1)) << "no ray ends";
+    EXPECT_FALSE(saves_blocks(3)) << "all end at once";
+}
+
 TEST_F(Cli, HelpHasExamplesAndAPipeHasNoProgressLines) {
-    for (const std::string command : {"render", "compare", "reference", "scenes", "demo"}) {
+    for (const std::string command :
+         {"render", "compare", "reference", "scenes", "demo", "bench", "rare-cases", "export"}) {
         const Outcome outcome = raylab(command + " --help");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.text.find("Examples"), std::string::npos) << command;

@@ -60,6 +60,13 @@ def furnace(scene):
     return [(closed, summed)]
 
 
+def even_sky(scene):
+    """A white surface in even light has its radiance, a grey one alone under a sky its albedo."""
+    (material,) = scene["materials"].values()
+    lobe = integrate(lambda cos_t: 2 * cos_t, 0, 1, 16)  # cos / pi over the hemisphere
+    return [(material["reflectance"], [a * lobe for a in material["reflectance"]])]
+
+
 def point_in_sphere(scene):
     a = scene["materials"]["wall"]["reflectance"][0]
     surfaces = scene["render"]["max_depth"] - 1  # the light is the last vertex of a path
@@ -257,6 +264,7 @@ def ggx_furnace(scene):
 
 SCENES = {
     "white_furnace": furnace, "furnace_box": furnace, "furnace_deep": furnace,
+    "no_ray_ends": furnace, "all_end_at_once": even_sky, "tiny_image": even_sky,
     "point_in_sphere": point_in_sphere, "chord_furnace": chord_furnace,
     "glass_furnace": glass_furnace, "glass_pane": glass_pane, "soft_shadow": soft_shadow,
     "polygon_light": polygon_light, "first_bounce": first_bounce, "form_factor": form_factor, "sphere_light": sphere_light,
