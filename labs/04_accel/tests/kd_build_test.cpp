@@ -12,7 +12,7 @@ using namespace task;
 // Through the walk with a stack, which is given.
 bool finds_all(const std::string& what, std::vector<Triangle> triangles,
                const std::vector<Ray>& rays) {
-    const KdCase scene(std::move(triangles));
+    const KdCase scene(std::move(triangles), deep());
     const std::string wrong = difference(scene, KdWalk::stack, rays);
     return expect(wrong.empty(), fmt::format("{}: {}; the likely cause: a triangle that reaches "
                                              "across the plane must be in both children",
@@ -34,6 +34,7 @@ TEST(Task4_1, RaysFindWhatBruteForceFinds) {
 
 TEST(Task4_1, CornersAndRaysInThePlanesAreFound) {
     finds_all("400 triangles on a grid", on_grid(400), grid_rays(4000));
+    finds_all("36 houses", city(6), grid_rays(4000));
 }
 
 TEST(Task4_1, ARayTestsFewTriangles) {
@@ -100,17 +101,17 @@ TEST(Task4_1, PlanesAreTriedAmongMany) {
 
 TEST(Task4_1, DepthAndMemoryAreBounded) {
     const auto bounded = [](const char* what, const std::vector<Triangle>& triangles) {
-        const KdTree tree = build_kd_tree(triangles);
+        const KdTree tree = build_kd_tree(triangles, deep());
         const int limit = kd_depth_limit(triangles.size());
         expect(depth(tree) <= limit,
                fmt::format("{}: a leaf lies {} cuts deep, the limit is {}; the likely cause: the "
                            "cuts left on a path are not counted",
                            what, depth(tree), limit));
         const double share = double(references(tree)) / double(triangles.size());
-        expect(share <= KdBuildSettings{}.copies,
-               fmt::format("{}: leaves hold {:.1f} references a triangle, {} are allowed; the "
+        expect(share <= deep().copies,
+               fmt::format("{}: leaves hold {:.1f} references a triangle, {:.0f} are allowed; the "
                            "likely cause: settings.copies is not heeded",
-                           what, share, KdBuildSettings{}.copies));
+                           what, share, deep().copies));
     };
     std::vector<Triangle> same, nested;
     for (int i = 0; i < 20000; ++i) add(same, {0, 0, 0}, {1, 0, 1}, {0, 1, 0.5f});

@@ -91,6 +91,27 @@ inline std::vector<Triangle> on_grid(int n) {
     return triangles;
 }
 
+// n x n houses on the integers, each a box of a height of its own, on one floor; 12 n^2 + 2
+// triangles.
+inline std::vector<Triangle> city(int n) {
+    Dice dice(45);
+    std::vector<Triangle> triangles;
+    const auto quad = [&](Vec3 a, Vec3 u, Vec3 v) {
+        add(triangles, a, a + u, a + u + v);
+        add(triangles, a, a + u + v, a + v);
+    };
+    quad(Vec3(0), {0, 0, float(n)}, {float(n), 0, 0});
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const Vec3 low(float(i), 0, float(j)), x(dice.below(2) ? 1 : 0.5f, 0, 0),
+                y(0, float(1 + dice.below(3)), 0), z(0, 0, dice.below(2) ? 1 : 0.5f);
+            quad(low, x, y), quad(low, y, z), quad(low, z, x);
+            quad(low + z, x, y), quad(low + x, y, z), quad(low + y, z, x);
+        }
+    }
+    return triangles;
+}
+
 // Rays from around and inside the cube [-1, 1]^3, half of them no longer than 1.
 inline std::vector<Ray> any_rays(int n, std::uint32_t seed = 2) {
     Dice dice(seed);
@@ -156,10 +177,17 @@ template <class Query> void walk(KdWalk kind, const KdView& tree, Query& query) 
     }
 }
 
+// Cuts cost next to nothing, so cells are cut as long as it is allowed: for tests that want many
+// planes.
+inline KdBuildSettings deep() {
+    return {.costs = {.step = 0.1, .empty_factor = 0.9}, .copies = 20};
+}
+
 // Triangles and a tree over them.
 struct KdCase {
-    explicit KdCase(std::vector<Triangle> t) : triangles(std::move(t)) {
-        tree = build_kd_tree(triangles);
+    explicit KdCase(std::vector<Triangle> t, const KdBuildSettings& settings = {})
+        : triangles(std::move(t)) {
+        tree = build_kd_tree(triangles, settings);
         lay_ropes(tree);
     }
 

@@ -36,7 +36,7 @@ std::string face_name(int face) {
 
 TEST(Task4_2, RopesLeadToTheSmallestNeighbour) {
     for (const auto& triangles : {hills(12), soup(300, 0.3f), on_grid(400)}) {
-        const KdCase scene(triangles);
+        const KdCase scene(triangles, deep());
         const KdTree& tree = scene.tree;
         std::vector<Bounds> cells(tree.nodes.size());
         find_cells(tree, 0, tree.bounds, cells);
@@ -80,7 +80,7 @@ TEST(Task4_2, RopesLeadToTheSmallestNeighbour) {
 }
 
 TEST(Task4_2, EveryLeafHasItsCellAndRopes) {
-    const KdCase scene(hills(12));
+    const KdCase scene(hills(12), deep());
     const KdTree& tree = scene.tree;
     std::vector<Bounds> cells(tree.nodes.size());
     find_cells(tree, 0, tree.bounds, cells);

@@ -12,7 +12,7 @@ constexpr KdWalk without_stack[] = {KdWalk::ropes, KdWalk::restart};
 
 void find_all(const std::string& what, std::vector<Triangle> triangles,
               const std::vector<Ray>& rays, const std::string& cause) {
-    const KdCase scene(std::move(triangles));
+    const KdCase scene(std::move(triangles), deep());
     for (const KdWalk kind : without_stack) {
         const std::string wrong = difference(scene, kind, rays);
         expect(wrong.empty(), fmt::format("{}: {}; the likely cause: {}", what, wrong, cause));
@@ -27,9 +27,10 @@ TEST(Task4_3, RaysFindWhatBruteForceFinds) {
 }
 
 TEST(Task4_3, RaysInSplitPlanesAreFoundAndEnd) {
-    find_all("400 triangles on a grid", on_grid(400), grid_rays(4000),
-             "a ray that meets two planes at the same t must get past both, and one that has met a "
-             "plane at t is behind it from t on");
+    const char* cause = "a ray that meets two planes at the same t must get past both, and one "
+                        "that has met a plane at t is behind it from t on";
+    find_all("400 triangles on a grid", on_grid(400), grid_rays(4000), cause);
+    find_all("36 houses", city(6), grid_rays(4000), cause);
 }
 
 TEST(Task4_3, NoTriangleAndOne) {
