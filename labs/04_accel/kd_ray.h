@@ -21,23 +21,35 @@
 namespace raylab::lab04 {
 
 struct KdRay {
-    double o[3], inv_d[3];
-    int negative[3]; // 1: the ray goes down this axis
+    DVec3 o, inv_d;
+    int down = 0; // bit k: the ray goes down axis k
 
-    HD_HOT explicit KdRay(const Ray& ray) {
+    HD_HOT explicit KdRay(const Ray& ray) : o(ray.o) {
         for (int axis = 0; axis < 3; ++axis) {
             const double d = (&ray.d.x)[axis];
-            o[axis] = (&ray.o.x)[axis];
-            inv_d[axis] = 1 / (fabs(d) < 0x1p-50 ? copysign(0x1p-50, d) : d);
-            negative[axis] = inv_d[axis] < 0;
+            const double inverse = 1 / (fabs(d) < 0x1p-50 ? copysign(0x1p-50, d) : d);
+            (&inv_d.x)[axis] = inverse;
+            down |= int(inverse < 0) << axis;
         }
     }
 
-    HD_HOT double t_at(int axis, float plane) const { return (plane - o[axis]) * inv_d[axis]; }
+    // 1: the ray goes down this axis; 0: up.
+    HD_HOT int is_down(int axis) const { return down >> axis & 1; }
+
+    HD_HOT double t_at(int axis, float plane) const {
+        return (plane - along(o, axis)) * along(inv_d, axis);
+    }
 
     // Of the two children, the one that the ray comes to first.
-    HD_HOT int first(const KdNode& node) const { return node.below() + negative[node.axis()]; }
-    HD_HOT int second(const KdNode& node) const { return node.above() - negative[node.axis()]; }
+    HD_HOT int first(const KdNode& node) const { return node.below() + is_down(node.axis()); }
+    HD_HOT int second(const KdNode& node) const { return node.above() - is_down(node.axis()); }
+
+  private:
+    // Selected, not indexed: an index would put the ray into a GPU's slow local memory, and makes a
+    // CPU wait for it where it could have guessed the axis.
+    HD_HOT static double along(const DVec3& v, int axis) {
+        return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+    }
 };
 
 // The part of a ray inside a cell.
@@ -50,8 +62,8 @@ HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
     KdInterval part{0, infinity};
     for (int axis = 0; axis < 3; ++axis) {
         const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
-        const double enter = ray.t_at(axis, ray.negative[axis] ? high : low);
-        const double leave = ray.t_at(axis, ray.negative[axis] ? low : high);
+        const double enter = ray.t_at(axis, ray.is_down(axis) ? high : low);
+        const double leave = ray.t_at(axis, ray.is_down(axis) ? low : high);
         if (enter > part.begin) part.begin = enter;
         if (leave < part.end) part.end = leave;
     }

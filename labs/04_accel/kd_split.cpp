@@ -10,8 +10,8 @@ namespace raylab::lab04 {
 
 namespace {
 
-constexpr int bins = 64;
-constexpr std::size_t few = 128; // up to so many, every place is tried
+constexpr int bins = 32;
+constexpr std::size_t few = 32; // up to so many, every place is tried
 
 double at(const Vec3& v, int axis) { return (&v.x)[axis]; }
 

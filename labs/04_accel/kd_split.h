@@ -33,7 +33,7 @@ struct KdPlane {
 };
 
 // The plane of least cost strictly inside the cell. Few triangles: every place where one begins or
-// ends. Many: 64 places an axis at even distances, and where all begin and all end.
+// ends. Many: 31 places an axis at even distances, and where all begin and all end.
 KdPlane best_plane(std::span<const KdReference> references, const Bounds& cell,
                    const KdCosts& costs);
 

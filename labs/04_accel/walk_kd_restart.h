@@ -28,10 +28,14 @@ template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& qu
             if (!query.step()) return;
             if (node.is_leaf()) break;
             const double t = ray.t_at(node.axis(), node.split);
-            at = t <= rest.begin ? ray.second(node) : ray.first(node);
-            only &= t <= rest.begin || t >= rest.end;
+            if (t <= rest.begin) {
+                at = ray.second(node);
+            } else {
+                at = ray.first(node);
+                only &= t >= rest.end;
+                if (t < end) end = t;
+            }
             if (only) root = at;
-            if (t > rest.begin && t < end) end = t;
         }
         if (visit_leaf(node, query) || end >= rest.end) return;
         rest.begin = end;

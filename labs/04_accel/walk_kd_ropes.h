@@ -24,20 +24,20 @@ template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& quer
             if (node.is_leaf()) break;
             at = ray.t_at(node.axis(), node.split) <= t ? ray.second(node) : ray.first(node);
         }
-        if (visit_leaf(node, query)) return;
-
-        // Out through the first of the three faces that the ray moves towards.
+        // Out through the first of the three faces that the ray moves towards. Before the blocks
+        // are tested, so that the memory is on its way meanwhile.
         const KdLeaf& leaf = tree.leaves[tree.leaf_of[at]];
         t = infinity;
         at = no_rope;
         for (int axis = 0; axis < 3; ++axis) {
-            const bool down = ray.negative[axis];
+            const bool down = ray.is_down(axis);
             const double leave = ray.t_at(axis, (&(down ? leaf.cell.low : leaf.cell.high).x)[axis]);
             if (leave < t) {
                 t = leave;
                 at = leaf.rope[2 * axis + !down];
             }
         }
+        if (visit_leaf(node, query)) return;
     }
     //| not_implemented("4.3", "walk_kd_ropes()");
     //| visit_all(tree, query);

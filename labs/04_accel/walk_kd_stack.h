@@ -20,8 +20,12 @@ template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& quer
         if (!query.step()) return;
         if (!node.is_leaf()) {
             const double t = ray.t_at(node.axis(), node.split);
-            at = t <= part.begin ? ray.second(node) : ray.first(node);
-            if (t > part.begin && t < part.end) {
+            if (t <= part.begin) {
+                at = ray.second(node);
+                continue;
+            }
+            at = ray.first(node);
+            if (t < part.end) {
                 later[waiting++] = {ray.second(node), part.end};
                 part.end = t;
             }
