@@ -73,6 +73,22 @@ TEST_P(EveryScene, WavefrontLabHasTheBitsOfTheIterativeOne) {
         }
 }
 
+// Every kernel of the lab, with so few threads that the thread sanitizer can follow them all.
+TEST_P(EveryScene, WavefrontLabIsBitIdenticalWithFewPaths) {
+    Scene scene = small(GetParam(), 6, 7);
+    scene.render.max_depth = std::min(scene.render.max_depth, 3);
+    const Film expected = trace("02", scene, {}, 1).film;
+    for (const WavefrontSettings& wavefront :
+         {WavefrontSettings{.compact_every = 2, .scan = ScanKind::serial},
+          WavefrontSettings{.scan = ScanKind::naive, .sort = MaterialSort::on, .pool = 20},
+          WavefrontSettings{.scan = ScanKind::efficient, .sort = MaterialSort::queues},
+          WavefrontSettings{.scan = ScanKind::warp, .pool = 20, .regenerate = true},
+          WavefrontSettings{.scan = ScanKind::lookback, .pool = 20, .shuffle = 9}})
+        EXPECT_TRUE(same_bits(
+            trace("03", scene, {.block_size = 16, .wavefront = wavefront}, 1).film, expected))
+            << described(wavefront);
+}
+
 TEST_P(EveryScene, RecursiveLabIsBitIdenticalForAnyThreadCount) {
     const Scene scene = small(GetParam(), 24, 7);
     const Film expected = trace("01", scene, {.threads = 1}, 2).film;
