@@ -10,6 +10,9 @@
 #if __has_include("labs/03_wavefront/renderer.h")
 #include "labs/03_wavefront/renderer.h"
 #endif
+#if __has_include("labs/04_accel/renderer.h")
+#include "labs/04_accel/renderer.h"
+#endif
 
 #include <fmt/format.h>
 
@@ -26,7 +29,11 @@ const std::vector<Lab>& labs() {
 #endif
 #if __has_include("labs/03_wavefront/renderer.h")
         {"03", "03_wavefront", "the wavefront: a pool of rays, one launch a stage and bounce",
-         lab03::make_renderer, true},
+         lab03::make_renderer, true, true},
+#endif
+#if __has_include("labs/04_accel/renderer.h")
+        {"04", "04_accel", "KD-trees and hierarchies of boxes over the wavefront's triangles",
+         lab04::make_renderer, true, false, true},
 #endif
     };
     return all;

@@ -18,14 +18,21 @@ const std::map<std::string, DirectLight> strategies = {
 const std::map<std::string, ThreadOrder> orders = {{"forward", ThreadOrder::forward},
                                                    {"reverse", ThreadOrder::reverse},
                                                    {"random", ThreadOrder::random}};
-const std::map<std::string, ScanKind> scans = {{"serial", ScanKind::serial},
-                                               {"naive", ScanKind::naive},
-                                               {"efficient", ScanKind::efficient},
-                                               {"warp", ScanKind::warp},
-                                               {"library", ScanKind::library},
-                                               {"lookback", ScanKind::lookback}};
+const std::map<std::string, ScanKind> scans = {
+    {"serial", ScanKind::serial},       {"naive", ScanKind::naive},
+    {"efficient", ScanKind::efficient}, {"warp", ScanKind::warp},
+    {"library", ScanKind::library},     {"lookback", ScanKind::lookback}};
 const std::map<std::string, MaterialSort> sorts = {
     {"off", MaterialSort::off}, {"on", MaterialSort::on}, {"queues", MaterialSort::queues}};
+
+// By name; automatic is "auto".
+template <class T, std::size_t n> std::map<std::string, T> by_name(const char* const (&names)[n]) {
+    std::map<std::string, T> map;
+    for (std::size_t i = 0; i < n; ++i) map[names[i]] = static_cast<T>(i);
+    return map;
+}
+const std::map<std::string, AccelKind> accels = by_name<AccelKind>(accel_names);
+const std::map<std::string, WalkKind> walks = by_name<WalkKind>(walk_names);
 
 // "off", "on" or a number of bounces; -1 if it is none of these.
 int parse_compact(const std::string& text) {
@@ -82,7 +89,8 @@ void add_machine_options(CLI::App& app, MachineSettings& machine) {
 }
 
 void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
-    const std::string group = "Pool of rays (lab 03; none changes a bit of the image)";
+    const std::string group =
+        "Pool of rays (lab 03; --pool, --memory-budget: also 04; none changes a bit)";
     app.add_option_function<std::string>(
            "--compact",
            [&wavefront](const std::string& text) { wavefront.compact_every = parse_compact(text); },
@@ -121,12 +129,34 @@ void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
         ->group(group);
 }
 
-void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront) {
-    if (lab.has_pool || wavefront == WavefrontSettings{}) return;
-    throw UsageError(fmt::format("lab {} has no pool of rays: --compact, --scan, --sort, --pool, "
-                                 "--shuffle, --memory-budget, --shared-geometry, "
-                                 "--first-bounce-cache and --regenerate are for lab 03",
-                                 lab.number));
+void add_accel_options(CLI::App& app, AccelSettings& accel) {
+    const std::string group = "Structure over the triangles (lab 04; none changes a bit)";
+    add_choice(app, "--accel", accel.accel, accels,
+               "none (every triangle is tested), a KD-tree, boxes along the Morton curve, boxes by "
+               "surface area, or eight boxes a node",
+               group);
+    add_choice(app, "--walk", accel.walk, walks, "how a ray gets back from a subtree", group);
+}
+
+void check_lab_options(const Lab& lab, const MachineSettings& machine) {
+    const WavefrontSettings& wavefront = machine.wavefront;
+    const WavefrontSettings pool_alone = {.pool = wavefront.pool,
+                                          .memory_budget = wavefront.memory_budget};
+    if (!lab.has_pool && wavefront != WavefrontSettings{})
+        throw UsageError(fmt::format(
+            "lab {} has no pool of rays: --pool and --memory-budget are for labs 03 and 04, "
+            "--compact, --scan, --sort, --shuffle, --shared-geometry, --first-bounce-cache and "
+            "--regenerate for lab 03",
+            lab.number));
+    if (!lab.has_wavefront && wavefront != pool_alone)
+        throw UsageError(
+            fmt::format("lab {} runs its pool in one way: --compact, --scan, --sort, --shuffle, "
+                        "--shared-geometry, --first-bounce-cache and --regenerate are for lab 03",
+                        lab.number));
+    if (!lab.has_accel && machine.accel != AccelSettings{})
+        throw UsageError(fmt::format("lab {} has no structure over its triangles: --accel and "
+                                     "--walk are for lab 04",
+                                     lab.number));
 }
 
 } // namespace raylab::app

@@ -17,10 +17,11 @@ using Run = std::function<ExitCode()>;
 void add_scene_options(CLI::App& app, SceneChanges& changes);
 void add_machine_options(CLI::App& app, MachineSettings& machine);
 
-// The options of labs with a pool of rays.
+// The options of labs with a pool of rays, and of those with a structure over the triangles.
 void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront);
+void add_accel_options(CLI::App& app, AccelSettings& accel);
 
-// Throws UsageError if such an option is given and the lab has no pool.
-void check_wavefront_options(const Lab& lab, const WavefrontSettings& wavefront);
+// Throws UsageError if an option is given that is not for this lab.
+void check_lab_options(const Lab& lab, const MachineSettings& machine);
 
 } // namespace raylab::app

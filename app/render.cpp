@@ -44,7 +44,7 @@ void print_summary(const Ledger& ledger, const std::string& output) {
 
 ExitCode run_render(const RenderOptions& options) {
     const Lab& lab = find_lab(options.lab);
-    check_wavefront_options(lab, options.machine.wavefront);
+    check_lab_options(lab, options.machine);
     const Scene scene = load_changed_scene(options.scene, options.changes);
     const std::string output = options.output.empty()
                                    ? fmt::format("out/{}_{}.exr", scene.name, lab.number)
@@ -83,7 +83,7 @@ ExitCode run_render(const RenderOptions& options) {
 Run add_render(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
     app.description("Render a scene with a lab: an image and its ledger.");
-    app.add_option("LAB", options->lab, "01, 02, 03 or the lab's folder name")->required();
+    app.add_option("LAB", options->lab, "01, 02, 03, 04 or the lab's folder name")->required();
     app.add_option("SCENE", options->scene, "a bundled scene's name, or a scene file")->required();
     app.add_option("-o,--output", options->output,
                    "image file: .exr, .pfm, .hdr or .png (default out/SCENE_LAB.exr)");
@@ -96,10 +96,12 @@ Run add_render(CLI::App& app) {
     add_scene_options(app, options->changes);
     add_machine_options(app, options->machine);
     add_wavefront_options(app, options->machine.wavefront);
+    add_accel_options(app, options->machine.accel);
     app.footer("Examples:\n"
                "  raylab render 02 cornell -o cornell.png\n"
                "  raylab render 02 cornell --spp 250 --snapshots 1,20,250 -o cornell.png\n"
                "  raylab render 03 cornell --compact off --pool 4096\n"
+               "  raylab render 04 stadium --accel kd --walk ropes\n"
                "  raylab render 01 scenes/whitted.json --threads 1 --stats ledger.json");
     return [options] {
         std::sort(options->snapshots.begin(), options->snapshots.end());

@@ -20,6 +20,33 @@ double lanes_alive(const BounceCounts& bounce) {
                              : static_cast<double>(bounce.rays) / static_cast<double>(bounce.lanes);
 }
 
+namespace {
+
+double per_ray(std::uint64_t visits, const WalkSums& walks) {
+    return walks.rays == 0 ? 0.0 : static_cast<double>(visits) / static_cast<double>(walks.rays);
+}
+
+nlohmann::ordered_json walks_json(const WalkSums& walks) {
+    return {{"rays", walks.rays},
+            {"nodes_per_ray", per_ray(walks.nodes, walks)},
+            {"triangle_blocks_per_ray", per_ray(walks.triangle_blocks, walks)}};
+}
+
+nlohmann::ordered_json structure_json(const StructureFacts& structure) {
+    return {{"name", structure.name},
+            {"walk", structure.walk},
+            {"why", structure.why},
+            {"triangles", structure.triangles},
+            {"nodes", structure.nodes},
+            {"triangle_blocks", structure.triangle_blocks},
+            {"depth", structure.depth},
+            {"bytes", structure.bytes},
+            {"build_seconds", structure.build_seconds},
+            {"feelers", walks_json(structure.feelers)}};
+}
+
+} // namespace
+
 std::string to_json(const Ledger& ledger) {
     nlohmann::ordered_json json = {
         {"lab", ledger.lab},
@@ -38,6 +65,7 @@ std::string to_json(const Ledger& ledger) {
     };
     if (ledger.pool_paths > 0)
         json["pool"] = {{"paths", ledger.pool_paths}, {"bytes_per_path", ledger.path_bytes}};
+    if (ledger.structure) json["structure"] = structure_json(*ledger.structure);
     if (!ledger.stages.empty()) json["stages"] = nlohmann::ordered_json::array();
     for (const StageCounts& stage : ledger.stages)
         json["stages"].push_back({{"name", stage.name},
@@ -60,6 +88,7 @@ std::string to_json(const Ledger& ledger) {
             row["blocks"] = bounce.blocks;
             row["batches"] = bounce.batches;
         }
+        if (ledger.structure) row["walks"] = walks_json(bounce.walks);
         json["bounces"].push_back(row);
     }
     return json.dump(2);
@@ -84,6 +113,27 @@ std::string stage_table(const Ledger& ledger) {
                                "", "", 1e3 * rest, share(rest));
 }
 
+// What the structure is, and what a ray visits of it, by bounce.
+std::string structure_table(const Ledger& ledger) {
+    const StructureFacts& facts = *ledger.structure;
+    std::string table = fmt::format(
+        "{} triangles: {}, {}\n{:>12} nodes, {} blocks of triangles, depth {}, {:.2f} MiB, "
+        "built in {:.2f} ms; walk: {}\n{:>12} {:>12} {:>12} {:>12}\n",
+        facts.triangles, facts.name, facts.why, facts.nodes, facts.triangle_blocks, facts.depth,
+        static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds, facts.walk,
+        "walks of", "rays", "nodes/ray", "blocks/ray");
+    const auto row = [&](const std::string& name, const WalkSums& walks) {
+        if (walks.rays > 0)
+            table +=
+                fmt::format("{:>12} {:>12} {:>12.2f} {:>12.2f}\n", name, walks.rays,
+                            per_ray(walks.nodes, walks), per_ray(walks.triangle_blocks, walks));
+    };
+    for (std::size_t b = 0; b < ledger.bounces.size(); ++b)
+        row(fmt::format("bounce {}", b), ledger.bounces[b].walks);
+    row("feelers", facts.feelers);
+    return table;
+}
+
 } // namespace
 
 std::string to_table(const Ledger& ledger) {
@@ -100,6 +150,7 @@ std::string to_table(const Ledger& ledger) {
                      : fmt::format("{:5.1f} % {}\n", 100 * alive,
                                    std::string(static_cast<std::size_t>(alive * 30), '#'));
     }
+    if (ledger.structure) table += structure_table(ledger);
     if (!ledger.stages.empty()) table += stage_table(ledger);
     return table;
 }

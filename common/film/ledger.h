@@ -5,6 +5,7 @@
 #include "common/math/hd.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,24 @@ HD void record_hit(PathRecord& record, int id) {
 // And this once a shadow feeler.
 HD void record_feeler(PathRecord& record) { record.shadow_rays += record.shadow_rays < 65535; }
 
+// What rays visited of a structure over the triangles.
+struct WalkSums {
+    std::uint64_t rays = 0;  // that walked
+    std::uint64_t nodes = 0; // what is read at once: a pair of boxes, eight boxes, a plane
+    std::uint64_t triangle_blocks = 0; // tested; each holds up to four triangles
+};
+
+// The structure over the triangles, of labs that have one and scenes with triangles.
+struct StructureFacts {
+    std::string name, walk; // "wide", "trail"
+    std::string why;        // this one
+    int triangles = 0;      // of the scene
+    int nodes = 0, triangle_blocks = 0, depth = 0;
+    std::uint64_t bytes = 0;  // of nodes and blocks
+    double build_seconds = 0; // on the host's clock, without the copy to the device
+    WalkSums feelers;         // their walks; those of other rays are counted by bounce
+};
+
 struct BounceCounts {
     std::uint64_t rays = 0;              // paths alive when the bounce began
     std::uint64_t ended[path_ends] = {}; // of those, how many ended here, by cause
@@ -44,6 +63,7 @@ struct BounceCounts {
     // Of the launches that traced this bounce alone, if the lab has such: their blocks, and the
     // batches in which the device works them off.
     std::uint64_t blocks = 0, batches = 0;
+    WalkSums walks; // of these rays, in labs with a structure over the triangles
 };
 
 // One of the kernels that a lab launches over and over.
@@ -63,6 +83,7 @@ struct Ledger {
     double seconds = 0;                 // tracing alone
     std::vector<StageCounts> stages;    // of labs that trace in several launches a sample
     int pool_paths = 0, path_bytes = 0; // paths in flight at most, device memory for each
+    std::optional<StructureFacts> structure;
 
     std::uint64_t rays() const; // camera and scattered rays + shadow rays
 };

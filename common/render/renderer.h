@@ -3,6 +3,7 @@
 
 #include "common/film/film.h"
 #include "common/film/ledger.h"
+#include "common/render/accel_settings.h"
 #include "common/render/wavefront_settings.h"
 #include "common/scene/features.h"
 #include "common/scene/scene.h"
@@ -25,6 +26,7 @@ struct MachineSettings {
     ThreadOrder order = ThreadOrder::forward;
     std::uint32_t order_seed = 1;
     WavefrontSettings wavefront = {}; // of labs with a pool of rays
+    AccelSettings accel = {};         // of labs with a structure over the triangles
 };
 
 // A lab cannot meet these settings for this scene: what() says why, and what would do.
@@ -53,7 +55,9 @@ struct Lab {
     std::string title;
     // The scene must outlive the renderer.
     std::unique_ptr<Renderer> (*make)(const Scene& scene, const MachineSettings& machine);
-    bool has_pool = false; // takes MachineSettings::wavefront
+    bool has_pool = false;      // takes pool and memory_budget of MachineSettings::wavefront,
+    bool has_wavefront = false; // all the rest of it,
+    bool has_accel = false;     // MachineSettings::accel
 };
 
 // A ledger that knows its scene and machine, and has counted nothing yet.

@@ -1,0 +1,130 @@
+// Building is the host's work, apart from kernels that builders launch; what is built is copied.
+#include "labs/04_accel/accel.h"
+
+#include "labs/04_accel/bvh_sah.h"
+#include "labs/04_accel/kd_build.h"
+#include "labs/04_accel/kd_ropes.h"
+#include "labs/04_accel/leaf_blocks.h"
+#include "labs/04_accel/wide_tree.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace raylab::lab04 {
+
+namespace {
+
+// Times building alone.
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::vector<TriangleBlock> all_blocks(const std::vector<Triangle>& triangles) {
+    std::vector<int> indices(triangles.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    std::vector<TriangleBlock> blocks;
+    append_blocks(triangles, indices, blocks);
+    return blocks;
+}
+
+// Nodes from the root to the deepest leaf; children come behind their parents.
+int depth_of(const KdTree& tree) {
+    std::vector<int> depth(tree.nodes.size());
+    int deepest = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        deepest = std::max(deepest, depth[i]);
+        if (tree.nodes[i].is_leaf()) continue;
+        depth[tree.nodes[i].below()] = depth[tree.nodes[i].above()] = depth[i] + 1;
+    }
+    return deepest;
+}
+
+template <class T> Array<T> array_of(const DeviceArray<T>& memory) {
+    return {memory.data(), static_cast<int>(memory.size())};
+}
+
+} // namespace
+
+Accel::Accel(const Scene& scene, const AccelSettings& settings)
+    : choice_(choose_accel(static_cast<int>(scene.triangles.size()), settings)) {
+    facts_.triangles = static_cast<int>(scene.triangles.size());
+    facts_.name = name_of(choice_.walk.accel);
+    facts_.walk =
+        choice_.walk.walk == WalkKind::automatic ? "all triangles" : name_of(choice_.walk.walk);
+    facts_.why = choice_.why;
+    if (!has_triangles()) return;
+    build(scene.triangles);
+    if (facts_.nodes > 0) return;
+    // Brute force, or triangles so few that they have no tree.
+    choice_.walk.kernels = known_walks().back().kernels;
+    facts_.bytes = 0;
+    keep_blocks(all_blocks(scene.triangles));
+}
+
+void Accel::build(const std::vector<Triangle>& triangles) {
+    const Stopwatch watch;
+    const auto built = [&](int depth) {
+        facts_.build_seconds = watch.seconds();
+        facts_.depth = depth;
+    };
+    switch (choice_.walk.accel) {
+    case AccelKind::kd: {
+        KdTree tree = build_kd_tree(triangles);
+        if (choice_.walk.walk == WalkKind::ropes) lay_ropes(tree);
+        built(depth_of(tree));
+        keep(tree.nodes, kd_);
+        facts_.bytes +=
+            tree.leaves.size() * sizeof(KdLeaf) + tree.leaf_of.size() * sizeof(std::int32_t);
+        kd_leaf_of_ = DeviceArray<std::int32_t>(tree.leaf_of);
+        kd_leaves_ = DeviceArray<KdLeaf>(tree.leaves);
+        kd_bounds_ = tree.bounds;
+        return keep_blocks(tree.blocks);
+    }
+    case AccelKind::sah: {
+        const BvhTree tree = build_bvh_sah(triangles);
+        built(tree.depth);
+        keep(tree.nodes, bvh_);
+        return keep_blocks(tree.blocks);
+    }
+    case AccelKind::wide: {
+        const WideTree tree = build_wide(build_bvh_sah(triangles));
+        built(tree.levels);
+        keep(tree.nodes, wide_);
+        wide_extent_ = tree.extent;
+        return keep_blocks(tree.blocks);
+    }
+    default:
+        return;
+    }
+}
+
+template <class Node> void Accel::keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory) {
+    memory = DeviceArray<Node>(nodes);
+    facts_.nodes = static_cast<int>(nodes.size());
+    facts_.bytes += nodes.size() * sizeof(Node);
+}
+
+void Accel::keep_blocks(const std::vector<TriangleBlock>& blocks) {
+    blocks_ = DeviceArray<TriangleBlock>(blocks);
+    facts_.triangle_blocks = static_cast<int>(blocks.size());
+    facts_.bytes += blocks.size() * sizeof(TriangleBlock);
+}
+
+StructureView Accel::view(Array<Triangle> triangles) const {
+    StructureView view;
+    view.leaves = {array_of(blocks_), triangles};
+    view.bvh = {array_of(bvh_)};
+    view.wide = {array_of(wide_), wide_extent_};
+    view.kd = {kd_bounds_, array_of(kd_), array_of(kd_leaf_of_), array_of(kd_leaves_),
+               facts_.triangle_blocks};
+    return view;
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,45 @@
+// The structure over a scene's triangles: chosen, built, and kept in device memory.
+#pragma once
+
+#include "common/device/device_array.h"
+#include "common/film/ledger.h"
+#include "common/scene/scene.h"
+#include "labs/04_accel/choose_accel.h"
+#include "labs/04_accel/structure.h"
+
+namespace raylab::lab04 {
+
+class Accel {
+  public:
+    // Throws SettingsError if there is no such walk. A scene without triangles has no structure and
+    // is not walked.
+    Accel(const Scene& scene, const AccelSettings& settings);
+
+    // triangles: the scene's, in device memory.
+    StructureView view(Array<Triangle> triangles) const;
+
+    bool has_triangles() const { return facts_.triangles > 0; }
+    const WalkKernels& kernels() const { return choice_.walk.kernels; }
+    const StructureFacts& facts() const { return facts_; }
+
+    // Other kernels for the same structure: for tests of what happens if a walk is wrong.
+    void walk_with(const WalkKernels& kernels) { choice_.walk.kernels = kernels; }
+
+  private:
+    void build(const std::vector<Triangle>& triangles);
+    template <class Node> void keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory);
+    void keep_blocks(const std::vector<TriangleBlock>& blocks);
+
+    AccelChoice choice_;
+    StructureFacts facts_;
+    DeviceArray<TriangleBlock> blocks_;
+    DeviceArray<BvhNode> bvh_;
+    DeviceArray<WideNode> wide_;
+    Vec3 wide_extent_{0};
+    DeviceArray<KdNode> kd_;
+    DeviceArray<std::int32_t> kd_leaf_of_;
+    DeviceArray<KdLeaf> kd_leaves_;
+    Bounds kd_bounds_;
+};
+
+} // namespace raylab::lab04

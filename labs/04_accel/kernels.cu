@@ -1,0 +1,103 @@
+// Which thread does what: in every stage, thread i works for the i-th slot of a list.
+#include "labs/04_accel/kernels.h"
+
+#include "common/scene/variants.h"
+#include "labs/04_accel/generate.h"
+#include "labs/04_accel/grid.h"
+#include "labs/04_accel/shade.h"
+#include "labs/04_accel/shade_whitted.h"
+#include "labs/04_accel/trace.h"
+
+namespace raylab::lab04 {
+
+namespace {
+
+__device__ void queue_feeler(const Wave& wave, int slot) {
+    push(wave.feelers, *wave.feelers_sent, slot);
+}
+
+// A path that has left, or a branch of a tree that comes to the next only now, has no hit to shade.
+__device__ bool has_surface(const Wave& wave, int slot) {
+    return wave.pool.alive[slot] && wave.pool.hit[slot].found();
+}
+
+template <Features F, Integrator I>
+__global__ void intersect_kernel(const Wave* wave, const int* live, int n) {
+    const std::int64_t i = global_index();
+    if (i < n) intersect_path<F, I>(*wave, live[i]);
+}
+
+template <Features F, Integrator I>
+__global__ void shadow_kernel(const Wave* wave, const int* feelers, int n) {
+    const std::int64_t i = global_index();
+    if (i < n) shadow_path<F, I>(*wave, feelers[i]);
+}
+
+template <Features F, Integrator I>
+__global__ void shade_kernel(const Wave* wave, const int* live, int n) {
+    const std::int64_t i = global_index();
+    if (i >= n || !has_surface(*wave, live[i])) return;
+    if constexpr (I == Integrator::whitted)
+        shade_whitted<F>(*wave, live[i]);
+    else if (shade_path<F>(*wave, live[i]))
+        queue_feeler(*wave, live[i]);
+}
+
+template <Features F>
+__global__ void feelers_kernel(const Wave* wave, const int* live, int n, int light) {
+    const std::int64_t i = global_index();
+    if (i < n && has_surface(*wave, live[i]) && send_whitted_feeler<F>(*wave, live[i], light))
+        queue_feeler(*wave, live[i]);
+}
+
+template <Features F, Integrator I> StageKernels kernels_of() {
+    StageKernels kernels{intersect_kernel<F, I>, shade_kernel<F, I>, shadow_kernel<F, I>, nullptr};
+    if constexpr (I == Integrator::whitted) kernels.feelers = feelers_kernel<F>;
+    return kernels;
+}
+
+__device__ void count_end(const Results& results, const PathRecord& record) {
+    const int shard = static_cast<int>(blockIdx.x % shards);
+    const int length = record.length < results.bounces ? record.length : results.bounces;
+    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
+    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
+    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
+}
+
+} // namespace
+
+StageKernels choose_kernels(Features features, Integrator integrator) {
+    return with_variant(features, [&]<Features F>() {
+        return integrator == Integrator::path ? kernels_of<F, Integrator::path>()
+                                              : kernels_of<F, Integrator::whitted>();
+    });
+}
+
+__global__ void generate_kernel(const Wave* wave, int first, int n, int* live) {
+    const std::int64_t i = global_index();
+    if (i >= n) return;
+    const int slot = static_cast<int>(i);
+    generate_path(*wave, slot, first + slot);
+    live[i] = slot;
+}
+
+__global__ void add_counts_kernel(const WalkCounts* counts, int n, WalkTally* tally) {
+    const std::int64_t first = global_index() * counts_per_thread;
+    unsigned long long nodes = 0, blocks = 0;
+    for (std::int64_t i = first; i < first + counts_per_thread && i < n; ++i) {
+        nodes += counts[i].nodes;
+        blocks += counts[i].blocks;
+    }
+    if (first >= n) return;
+    atomicAdd(&tally->nodes, nodes);
+    atomicAdd(&tally->triangle_blocks, blocks);
+}
+
+__global__ void accumulate_kernel(const Wave* wave, int n, Results results) {
+    const std::int64_t i = global_index();
+    if (i >= n) return;
+    accumulate_path(*wave, static_cast<int>(i), results);
+    count_end(results, wave->pool.record[i]);
+}
+
+} // namespace raylab::lab04

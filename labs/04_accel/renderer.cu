@@ -1,0 +1,102 @@
+// Lab 04: the wavefront of lab 03, whose rays no longer test every triangle.
+//
+// trace_batch() is lab 03's loop with one stage more: rays walk through a structure over the
+// triangles before they meet the other shapes, and so do shadow feelers.
+#include "labs/04_accel/renderer.h"
+
+#include "labs/04_accel/endless_walk.h"
+#include "labs/04_accel/memory_budget.h"
+#include "labs/04_accel/wavefront.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace raylab::lab04 {
+
+namespace {
+
+class AccelRenderer final : public Renderer {
+  public:
+    AccelRenderer(const Scene& scene, const MachineSettings& machine, Accel accel, int pool_paths)
+        : scene_(scene), machine_(machine), pixels_(scene.camera.width * scene.camera.height),
+          pool_paths_(pool_paths), wavefront_(scene, machine, std::move(accel), pool_paths) {}
+
+    void add_iteration() override {
+        const auto start = std::chrono::steady_clock::now();
+        configure_machine(machine_);
+        wavefront_.begin_sample(samples_);
+        for (int first = 0; first < pixels_; first += pool_paths_)
+            trace_batch(first, std::min(pool_paths_, pixels_ - first));
+        const EndlessRay endless = wavefront_.endless_ray(); // waits for the device
+        if (endless.found)
+            throw endless_walk(endless, scene_.camera.width, samples_, wavefront_.accel().facts());
+        ++samples_;
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    Film film() const override {
+        Film film(scene_.camera.width, scene_.camera.height);
+        film.pixels = wavefront_.results().film();
+        return film;
+    }
+
+    std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
+
+    Ledger ledger() const override {
+        Ledger ledger = begin_ledger(scene_, "04_accel", machine_name());
+        ledger.samples = static_cast<int>(samples_);
+        ledger.seconds = seconds_;
+        ledger.pool_paths = pool_paths_;
+        ledger.path_bytes = static_cast<int>(slot_bytes(scene_, pool_paths_));
+        ledger.stages = wavefront_.stage_counts();
+        for (const StageCounts& stage : ledger.stages) ledger.threads_launched += stage.threads;
+        if (wavefront_.accel().has_triangles()) ledger.structure = wavefront_.accel().facts();
+        wavefront_.results().write_to(ledger);
+        return ledger;
+    }
+
+  private:
+    // The lecture's five steps, for the pixels first ... first + n - 1.
+    void trace_batch(int first, int n) {
+        Wavefront& wave = wavefront_;
+        wave.generate(first, n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
+        for (int bounce = 0; wave.alive() > 0 && bounce < wave.most_bounces(); ++bounce) {
+            wave.walk(bounce); // 3. ONE bounce of every ray, through the triangles,
+            wave.intersect();  //    past the other shapes,
+            wave.shade();
+            wave.trace_feelers();      //    and the next rays recorded in the pool.
+            wave.remove_ended(bounce); // 4. Terminated rays leave the pool.
+        }                              // 5. Repeat.
+        wave.accumulate(n);
+    }
+
+    const Scene& scene_;
+    MachineSettings machine_;
+    int pixels_, pool_paths_;
+    Wavefront wavefront_;
+    std::uint32_t samples_ = 0;
+    double seconds_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine,
+                                        Accel accel) {
+    const WavefrontSettings& settings = machine.wavefront;
+    cudaDeviceProp device{};
+    check(cudaGetDeviceProperties(&device, 0), "cudaGetDeviceProperties");
+    const std::int64_t budget = settings.memory_budget > 0
+                                    ? settings.memory_budget
+                                    : static_cast<std::int64_t>(device.totalGlobalMem);
+    const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
+    const int pool =
+        pool_that_fits(budget, memory_needs(scene, accel.facts().bytes, wanted), wanted);
+    return std::make_unique<AccelRenderer>(scene, machine, std::move(accel), pool);
+}
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
+    configure_machine(machine); // kernels build, too
+    return make_renderer(scene, machine, Accel(scene, machine.accel));
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,18 @@
+// Lab 04, seen from outside.
+#pragma once
+
+#include "common/render/renderer.h"
+
+namespace raylab::lab04 {
+
+class Accel;
+
+// Throws SettingsError where settings cannot be met: there is no such walk, or scene, structure and
+// film leave no room for a pool. add_iteration() throws EndlessWalk if a walk does not end.
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine);
+
+// The same with a structure over the scene's triangles that is built already.
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine,
+                                        Accel accel);
+
+} // namespace raylab::lab04

@@ -1,0 +1,33 @@
+#include "labs/04_accel/result_arrays.h"
+
+namespace raylab::lab04 {
+
+// The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays are
+// sums over the bounces that follow.
+void ResultArrays::write_to(Ledger& ledger) const {
+    const std::vector<EndTally> tallies = tallies_.to_host();
+    ledger.bounces = launched_;
+    std::uint64_t rays = 0;
+    for (int bounce = bounces() - 1; bounce >= 0; --bounce) {
+        BounceCounts& counts = ledger.bounces[bounce];
+        for (int shard = 0; shard < shards; ++shard)
+            for (int end = 0; end < path_ends; ++end) {
+                const std::size_t row = static_cast<std::size_t>(shard) * bounces() + bounce;
+                counts.ended[end] += tallies[row].ended[end];
+                rays += tallies[row].ended[end];
+            }
+        counts.rays = rays;
+    }
+    for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
+    for (const FilmPixel& pixel : film()) ledger.rejected += pixel.rejected;
+    if (!ledger.structure) return;
+    const std::vector<WalkTally> walks = walks_.to_host();
+    const auto sums = [](std::uint64_t rays, const WalkTally& tally) {
+        return WalkSums{rays, tally.nodes, tally.triangle_blocks};
+    };
+    for (int bounce = 0; bounce < bounces(); ++bounce)
+        ledger.bounces[bounce].walks = sums(launched_[bounce].walks.rays, walks[bounce]);
+    ledger.structure->feelers = sums(feelers_walked_, walks[bounces()]);
+}
+
+} // namespace raylab::lab04

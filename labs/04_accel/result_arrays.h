@@ -1,0 +1,51 @@
+// What outlives the paths: film, records, and what the ledger says of each bounce.
+#pragma once
+
+#include "common/device/device_array.h"
+#include "labs/04_accel/accumulate.h"
+
+#include <algorithm>
+
+namespace raylab::lab04 {
+
+class ResultArrays {
+  public:
+    // bounces: that are told apart; later ones count as the last.
+    ResultArrays(int pixels, int bounces)
+        : film_(pixels), records_(pixels), tallies_(static_cast<std::size_t>(shards) * bounces),
+          shadow_rays_(shards), walks_(bounces + 1), launched_(bounces) {}
+
+    // As kernels see them.
+    Results view() {
+        return {film_.data(), records_.data(), tallies_.data(), shadow_rays_.data(), bounces()};
+    }
+
+    // The host's part of a bounce's account: lanes, and how many rays walked.
+    BounceCounts& of_bounce(int bounce) { return launched_[row_of(bounce)]; }
+    std::uint64_t& feelers_walked() { return feelers_walked_; }
+
+    // Where kernels add up what the walks of a bounce visited, and the walks of all feelers.
+    WalkTally* walks_of_bounce(int bounce) { return walks_.data() + row_of(bounce); }
+    WalkTally* walks_of_feelers() { return walks_.data() + bounces(); }
+
+    std::vector<FilmPixel> film() const { return film_.to_host(); }
+    std::vector<PathRecord> records() const { return records_.to_host(); }
+
+    // Sets the ledger's bounces, its shadow rays, its rejected samples and, if it has a structure,
+    // what was visited of that.
+    void write_to(Ledger& ledger) const;
+
+  private:
+    int bounces() const { return static_cast<int>(launched_.size()); }
+    int row_of(int bounce) const { return std::min(bounce, bounces() - 1); }
+
+    DeviceArray<FilmPixel> film_;
+    DeviceArray<PathRecord> records_;
+    DeviceArray<EndTally> tallies_;
+    DeviceArray<unsigned long long> shadow_rays_;
+    DeviceArray<WalkTally> walks_; // a row a bounce, and one for feelers
+    std::vector<BounceCounts> launched_;
+    std::uint64_t feelers_walked_ = 0;
+};
+
+} // namespace raylab::lab04

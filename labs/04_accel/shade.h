@@ -1,0 +1,71 @@
+// Shading: at every surface that was hit, the light it gives and the ray that goes on.
+//
+// The body of lab 02's loop, with the two calls cut out that trace rays: what it used to return to
+// itself it writes into the pool. PBR4e 13.2 and 14.1; Laine, Karras and Aila 2013, section 3.
+#pragma once
+
+#include "common/geometry/texture.h"
+#include "common/transport/direct_light.h"
+#include "labs/04_accel/wave.h"
+
+namespace raylab::lab04 {
+
+// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q,
+// and survivors count 1/q, so the mean stays.
+HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
+    if (bounce < 1) return true;
+    const float q = glm::min(1.0f, 2.5f * max_component(throughput));
+    if (u >= q) return false;
+    throughput /= q;
+    return true;
+}
+
+// Returns whether the slot has a shadow feeler to be traced.
+template <Features F> HD bool shade_path(const Wave& wave, int slot) {
+    const SceneView& scene = wave.scene;
+    const RenderSettings& settings = wave.settings;
+    const PoolView& pool = wave.pool;
+    const Ray ray = {pool.origin[slot], pool.direction[slot]};
+    const int bounce = pool.bounce[slot];
+    const Vec3 throughput = pool.throughput[slot];
+
+    const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
+    const Material& material = scene.materials[surface.material];
+    const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+    const Vec3 wo = -ray.d;
+
+    // What it emits towards us.
+    pool.radiance[slot] += throughput * emitted_light<F>(scene, settings.direct_light, ray,
+                                                         pool.bsdf_pdf[slot], surface);
+    if (bounce + 1 == settings.max_depth) {
+        end_path(pool, slot, PathEnd::depth);
+        return false;
+    }
+
+    // What it would scatter of a light source, if nothing is in the way.
+    const BounceNumbers u = sampler_of(wave, slot).get_bounce(bounce);
+    const Feeler feeler =
+        feeler_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
+    if (feeler.sent) send_feeler(pool, slot, feeler.ray, throughput * feeler.light);
+
+    // A new direction, and the share of light that comes back from it.
+    const BsdfSample scattered =
+        sample_bsdf<F>(material, reflectance, surface.shading.to_local(wo), u.lobe, u.direction);
+    const Vec3 wi = surface.shading.to_world(scattered.wi);
+    Vec3 onward = throughput * scattered.weight;
+    if (!scattered.valid || !sides_agree(surface, wi)) {
+        end_path(pool, slot, PathEnd::absorbed);
+    } else if (settings.roulette && !survives_roulette(onward, bounce, u.roulette)) {
+        end_path(pool, slot, PathEnd::roulette);
+    } else {
+        const Ray next = spawn_ray(surface, wi);
+        pool.origin[slot] = next.o;
+        pool.direction[slot] = next.d;
+        pool.throughput[slot] = onward;
+        pool.bsdf_pdf[slot] = scattered.specular ? delta_pdf : scattered.pdf;
+        pool.bounce[slot] = bounce + 1;
+    }
+    return feeler.sent;
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,32 @@
+// The structure over the triangles as kernels see it, and what walks through it leave behind.
+#pragma once
+
+#include "labs/04_accel/bvh.h"
+#include "labs/04_accel/kd_tree.h"
+#include "labs/04_accel/query.h"
+#include "labs/04_accel/wide_bvh.h"
+
+namespace raylab::lab04 {
+
+// One of the three trees, or none; the others are empty. Whatever the tree, its leaves are numbers
+// of blocks of triangles.
+struct StructureView {
+    Leaves leaves;
+    KdView kd;
+    BvhView bvh;
+    WideView wide;
+};
+
+// A ray whose walk did not end.
+struct EndlessRay {
+    int found = 0; // 1: there is one
+    std::uint32_t pixel = 0;
+    Ray ray = {};
+};
+
+struct WalkReport {
+    WalkCounts* counts;  // a walk each, in the order of the launch's list
+    EndlessRay* endless; // the first one
+};
+
+} // namespace raylab::lab04

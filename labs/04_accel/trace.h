@@ -1,0 +1,58 @@
+// The shapes that are no triangles, and what follows from a hit.
+//
+// A walk has left the closest triangle in the pool, and whether one blocks the feeler; here the
+// other shapes are tested against that. All of them: there are few, and they may be infinite.
+#pragma once
+
+#include "common/geometry/intersect.h"
+#include "common/transport/emission.h"
+#include "labs/04_accel/branches.h"
+
+namespace raylab::lab04 {
+
+constexpr Features without_triangles(Features features) { return features & ~feature::triangle; }
+
+// The closest of `hit` and the other shapes; of two at the same t that with the lowest id, so it
+// does not matter which was tested first.
+template <Features F> HD Hit closer_hit(const SceneView& scene, const Ray& ray, Hit hit) {
+    for_each_hit<without_triangles(F)>(
+        scene, ray,
+        [&](Shape shape, int index, int id, float t) {
+            if (hit.is_beaten_by(t, id)) hit = {t, id, shape, index};
+            return true;
+        },
+        [&] { return glm::min(hit.t, ray.t_max); });
+    return hit;
+}
+
+// Settles what the slot's ray meets. A ray that leaves takes the sky's light along and ends its
+// path, or its branch of the tree.
+template <Features F, Integrator I> HD void intersect_path(const Wave& wave, int slot) {
+    const PoolView& pool = wave.pool;
+    const Ray ray = ray_of(pool, slot);
+    const bool walked = wave.scene.triangles.size > 0;
+    const Hit hit = closer_hit<F>(wave.scene, ray, walked ? pool.hit[slot] : Hit{});
+    record_hit(pool.record[slot], hit.id);
+    pool.hit[slot] = hit;
+    constexpr bool whitted = I == Integrator::whitted;
+    if constexpr (whitted) pool.direct[slot] = Vec3(0);
+    if (hit.found()) return;
+    const DirectLight strategy = whitted ? DirectLight::light : wave.settings.direct_light;
+    pool.radiance[slot] +=
+        pool.throughput[slot] * escaped_light<F>(wave.scene, strategy, ray, pool.bsdf_pdf[slot]);
+    if constexpr (whitted)
+        next_branch(pool, slot);
+    else
+        end_path(pool, slot, PathEnd::escaped);
+}
+
+// The feeler's light joins the path's, or Whitted's sum over the lights, if nothing is in its way.
+template <Features F, Integrator I> HD void shadow_path(const Wave& wave, int slot) {
+    const PoolView& pool = wave.pool;
+    if (pool.blocked[slot]) return;
+    if (occluded<without_triangles(F)>(wave.scene, feeler_of(pool, slot))) return;
+    Vec3& gains = I == Integrator::whitted ? pool.direct[slot] : pool.radiance[slot];
+    gains += pool.feeler_light[slot];
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,66 @@
+// The table of walks. A new one is a type that calls it, and a row.
+#include "labs/04_accel/walks.h"
+
+#include "labs/04_accel/walk_bvh_stack.h"
+#include "labs/04_accel/walk_kd_restart.h"
+#include "labs/04_accel/walk_kd_ropes.h"
+#include "labs/04_accel/walk_kd_stack.h"
+#include "labs/04_accel/walk_kernels.h"
+#include "labs/04_accel/walk_wide_trail.h"
+
+namespace raylab::lab04 {
+
+namespace {
+
+// Brute force: every triangle of the scene.
+struct AllBlocks {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        for (int block = 0; block < structure.leaves.blocks.size; ++block)
+            if (query.visit(block)) return;
+    }
+};
+
+struct KdStack {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_stack(structure.kd, query);
+    }
+};
+struct KdRopes {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_ropes(structure.kd, query);
+    }
+};
+struct KdRestart {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_restart(structure.kd, query);
+    }
+};
+struct BvhStack {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_stack(structure.bvh, query);
+    }
+};
+struct WideTrail {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_wide_trail(structure.wide, query);
+    }
+};
+
+template <class Walk>
+constexpr WalkKernels kernels{walk_closest_kernel<Walk>, walk_any_kernel<Walk>};
+
+} // namespace
+
+const std::vector<KnownWalk>& known_walks() {
+    static const std::vector<KnownWalk> walks = {
+        {AccelKind::wide, WalkKind::trail, kernels<WideTrail>},
+        {AccelKind::sah, WalkKind::stack, kernels<BvhStack>},
+        {AccelKind::kd, WalkKind::stack, kernels<KdStack>},
+        {AccelKind::kd, WalkKind::ropes, kernels<KdRopes>},
+        {AccelKind::kd, WalkKind::restart, kernels<KdRestart>},
+        {AccelKind::none, WalkKind::automatic, kernels<AllBlocks>},
+    };
+    return walks;
+}
+
+} // namespace raylab::lab04

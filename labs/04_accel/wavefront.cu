@@ -1,0 +1,122 @@
+// A launch for every stage; see wavefront.h.
+#include "labs/04_accel/wavefront.h"
+
+#include "labs/04_accel/memory_budget.h"
+
+namespace raylab::lab04 {
+
+namespace {
+
+constexpr int warp_lanes = 32;
+std::uint64_t lanes_for(int paths) {
+    return std::uint64_t{1} * blocks_for(paths, warp_lanes) * warp_lanes;
+}
+
+bool is_whitted(const Scene& scene) { return scene.render.integrator == Integrator::whitted; }
+
+// A path has a bounce for each surface, a tree one for each node.
+int bounces_of(const Scene& scene) {
+    return is_whitted(scene) ? 1 << scene.render.max_depth : scene.render.max_depth;
+}
+
+// What a tree does past these is counted in the last.
+constexpr int rows_of_a_tree = 64;
+
+} // namespace
+
+Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel accel,
+                     int pool_paths)
+    : host_scene_(scene), machine_(machine), scene_(scene), accel_(std::move(accel)),
+      kernels_(choose_kernels(features_of(scene), scene.render.integrator)),
+      most_bounces_(bounces_of(scene)), pool_(pool_paths, branches_of(scene.render)), wave_(1),
+      live_(pool_paths), spare_(pool_paths), compaction_(pool_paths, machine.block_size),
+      feelers_(pool_paths), feelers_sent_(1), walk_counts_(accel_.has_triangles() ? pool_paths : 0),
+      endless_(1), results_(scene.camera.width * scene.camera.height,
+                            is_whitted(scene) ? rows_of_a_tree : most_bounces_) {}
+
+void Wavefront::begin_sample(std::uint32_t sample) {
+    const Wave wave{scene_.view(),
+                    host_scene_.render,
+                    sample,
+                    pool_.view(),
+                    accel_.view(scene_.view().triangles),
+                    {walk_counts_.data(), endless_.data()},
+                    feelers_.data(),
+                    feelers_sent_.data()};
+    wave_.assign({&wave, 1});
+    endless_.clear();
+}
+
+// A thread for each of the n slots in the list; none, no launch.
+void Wavefront::launch(Stage stage, StageKernel* kernel, const int* slots, int n) {
+    if (n == 0) return;
+    const int block = machine_.block_size, blocks = blocks_for(n, block);
+    timed(stage, blocks, [&] { kernel<<<blocks, block>>>(wave_.data(), slots, n); });
+}
+
+// The same for a walk, and what it visited is added up.
+void Wavefront::launch_walk(Stage stage, StageKernel* kernel, const int* slots, int n,
+                            WalkTally* tally) {
+    if (n == 0 || !accel_.has_triangles()) return;
+    launch(stage, kernel, slots, n);
+    const int block = machine_.block_size,
+              blocks = blocks_for(blocks_for(n, counts_per_thread), block);
+    timed(stage, blocks,
+          [&] { add_counts_kernel<<<blocks, block>>>(walk_counts_.data(), n, tally); });
+}
+
+void Wavefront::generate(int first, int n) {
+    const int block = machine_.block_size, blocks = blocks_for(n, block);
+    timed(Stage::generate, blocks,
+          [&] { generate_kernel<<<blocks, block>>>(wave_.data(), first, n, live_.data()); });
+    alive_ = n;
+    results_.of_bounce(0).lanes += lanes_for(n);
+}
+
+void Wavefront::walk(int bounce) {
+    results_.of_bounce(bounce).walks.rays += alive_;
+    launch_walk(Stage::walk, accel_.kernels().closest, live_.data(), alive_,
+                results_.walks_of_bounce(bounce));
+}
+
+void Wavefront::intersect() { launch(Stage::intersect, kernels_.intersect, live_.data(), alive_); }
+
+// A path's surface sends a feeler to one light, while it is shaded. Whitted's sends one to each,
+// and they must be back before.
+void Wavefront::shade() {
+    feelers_sent_.clear();
+    const int block = machine_.block_size, blocks = blocks_for(alive_, block);
+    if (kernels_.feelers != nullptr)
+        for (int light = 0; light < scene_.view().lights.size; ++light) {
+            timed(Stage::shade, blocks, [&] {
+                kernels_.feelers<<<blocks, block>>>(wave_.data(), live_.data(), alive_, light);
+            });
+            trace_feelers();
+            feelers_sent_.clear();
+        }
+    launch(Stage::shade, kernels_.shade, live_.data(), alive_);
+}
+
+void Wavefront::trace_feelers() {
+    const int sent = feelers_sent_.to_host().front();
+    results_.feelers_walked() += sent;
+    launch_walk(Stage::walk_feelers, accel_.kernels().any, feelers_.data(), sent,
+                results_.walks_of_feelers());
+    launch(Stage::shadow, kernels_.shadow, feelers_.data(), sent);
+}
+
+void Wavefront::remove_ended(int bounce) {
+    timed(Stage::compact, 2 * blocks_for(alive_, machine_.block_size), [&] {
+        alive_ = compaction_.keep_alive(pool_.view().alive, live_.data(), alive_, spare_.data());
+    });
+    std::swap(live_, spare_);
+    results_.of_bounce(bounce + 1).lanes += lanes_for(alive_);
+}
+
+void Wavefront::accumulate(int n) {
+    const int block = machine_.block_size, blocks = blocks_for(n, block);
+    timed(Stage::accumulate, blocks,
+          [&] { accumulate_kernel<<<blocks, block>>>(wave_.data(), n, results_.view()); });
+}
+
+} // namespace raylab::lab04
