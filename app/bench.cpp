@@ -39,25 +39,11 @@ bool wants(const BenchOptions& options, const std::string& peer) {
 
 void check_peers(const std::vector<std::string>& peers) {
     std::set<std::string> known(peer_names().begin(), peer_names().end());
-    known.insert({"embree", "mitsuba", "all", "none"});
+    known.insert({"mitsuba", "all", "none"});
     for (const std::string& name : peers)
         if (!known.contains(name))
             throw UsageError(
                 fmt::format("there is no peer '{}'; the peers are {}", name, joined(known, ", ")));
-}
-
-// "512x384".
-SceneChanges film_size(const std::string& size) {
-    SceneChanges changes;
-    if (size.empty()) return changes;
-    int width = 0, height = 0, end = 0;
-    if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-        end != static_cast<int>(size.size()))
-        throw UsageError(
-            fmt::format("--size '{}': expected width x height in pixels, like 512x512", size));
-    changes.width = width;
-    changes.height = height;
-    return changes;
 }
 
 // Sorted and checked before anything is rendered.
@@ -154,14 +140,6 @@ SceneResult bench_scene(const BenchOptions& options, const EvaluateOptions& how,
     return result;
 }
 
-void add_traversal(Bench& bench, const Scene& scene) try {
-    bench.traversal.push_back(bench_traversal(scene, bench.options.plan.rounds));
-} catch (const ContestantError& error) {
-    const std::string note = fmt::format("embree: {}.", error.what());
-    if (std::find(bench.notes.begin(), bench.notes.end(), note) == bench.notes.end())
-        bench.notes.push_back(note);
-}
-
 std::string command_line(const BenchOptions& options) {
     std::string command =
         fmt::format("raylab bench {} --labs {} --spp {} --repeats {} --threads {}",
@@ -177,7 +155,6 @@ std::string command_line(const BenchOptions& options) {
 void print(const Bench& bench, const std::string& folder) {
     fmt::print("{}\n", to_string(bench.machine));
     for (const SceneResult& scene : bench.scenes) fmt::print("\n{}", to_table(scene));
-    if (!bench.traversal.empty()) fmt::print("\n{}", to_table(bench.traversal));
     if (bench.against) fmt::print("\n{}", to_table(*bench.against));
     for (const std::string& note : bench.notes) fmt::print("\n{}\n", note);
     fmt::print("\n[ ] holds the true median with {:.1f} % probability; see {}/bench.html\n",
@@ -199,10 +176,8 @@ ExitCode run_bench(BenchOptions options) try {
     bench.command = command_line(options);
     bench.options = {options.plan, options.baseline, options.target};
     bench.threads = options.machine.threads;
-    for (const Scene& scene : scenes) {
+    for (const Scene& scene : scenes)
         bench.scenes.push_back(bench_scene(options, bench.options, scene));
-        if (wants(options, "embree")) add_traversal(bench, scene);
-    }
     if (other) bench.against = compare_runs(to_json(bench), *other, options.against);
     write_bench(bench, options.folder);
     if (options.json)
@@ -228,7 +203,7 @@ Run add_bench(CLI::App& app) {
     app.add_option("SCENES", options->scenes, "scenes")->capture_default_str();
     app.add_option("--labs", options->labs, "labs that take part (default: all)")->delimiter(',');
     app.add_option("--peers", options->peers,
-                   "cycles, mitsuba_llvm, mitsuba_scalar, mitsuba (both), embree, all or none; "
+                   "cycles, mitsuba_llvm, mitsuba_scalar, mitsuba (both), all or none; "
                    "those that are not installed are left out, with a word")
         ->delimiter(',')
         ->capture_default_str();

@@ -17,6 +17,9 @@ struct SceneChanges {
     std::optional<bool> roulette, jitter;
 };
 
+// A film's size as a command line gives it, "512x384"; empty: no change. Throws UsageError.
+SceneChanges film_size(const std::string& size);
+
 // Loads a scene by name or path and applies the changes; the result is validated again. Throws
 // SceneError for a scene that is wrong, UsageError for a change that is.
 Scene load_changed_scene(const std::string& name, const SceneChanges& changes);

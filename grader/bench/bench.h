@@ -5,7 +5,6 @@
 #include "grader/bench/against.h"
 #include "grader/bench/evaluate.h"
 #include "grader/bench/machine.h"
-#include "grader/bench/traversal.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +16,7 @@ struct Bench {
     EvaluateOptions options;
     int threads = 0; // of every contestant
     std::vector<SceneResult> scenes;
-    std::vector<TraversalResult> traversal;
-    std::vector<std::string> notes; // peers that are absent, traversal that was not possible
+    std::vector<std::string> notes; // of the whole run
     std::optional<Comparison> against;
 };
 
@@ -30,7 +28,6 @@ std::string to_csv(const Bench& bench);
 
 // For people.
 std::string to_table(const SceneResult& scene);
-std::string to_table(const std::vector<TraversalResult>& results);
 
 // bench.csv, bench.json and bench.html in `folder`. Throws FileError.
 void write_bench(const Bench& bench, const std::string& folder);

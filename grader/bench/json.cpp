@@ -1,40 +1,16 @@
 // bench.json: everything, also the values of the single rounds, so that a later run can be compared
 // with this one.
 #include "grader/bench/bench.h"
+#include "grader/bench/json_parts.h"
 #include "grader/bench/page.h"
 
 #include "common/cli/files.h"
 
-#include <cmath>
-
 namespace raylab::bench {
-
-namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number(double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json to_json(const Measured& m) {
-    ordered_json rounds = ordered_json::array();
-    for (const double value : m.rounds) rounds.push_back(number(value));
-    return {{"median", number(m.median)},
-            {"low", number(m.low)},
-            {"high", number(m.high)},
-            {"rounds", rounds}};
-}
-
-ordered_json to_json(const std::optional<Measured>& m) {
-    return m ? to_json(*m) : ordered_json(nullptr);
-}
-
-ordered_json to_json(const Machine& m) {
-    return {{"date", m.date},     {"cpu", m.cpu},           {"cores", m.cores},
-            {"load", m.load},     {"compiler", m.compiler}, {"flags", m.flags},
-            {"commit", m.commit}, {"changed", m.changed}};
-}
+namespace {
 
 ordered_json to_json(const Row& row) {
     ordered_json json = {{"name", row.name}, {"title", row.title}};
@@ -71,19 +47,6 @@ ordered_json to_json(const Row& row) {
         json["bounces"].push_back(
             {{"rays", p.rays}, {"lanes", p.lanes ? number(*p.lanes) : ordered_json(nullptr)}});
     return json;
-}
-
-ordered_json to_json(const TraversalResult& t) {
-    ordered_json rows = ordered_json::array();
-    for (const TraversalRow& row : t.rows)
-        rows.push_back({{"rays", row.rays},
-                        {"count", row.count},
-                        {"raylab_mrays", to_json(row.raylab_mrays)},
-                        {"embree_mrays", to_json(row.embree_mrays)},
-                        {"ratio", to_json(row.ratio)},
-                        {"differing_hits", row.differing}});
-    return {
-        {"scene", t.scene}, {"triangles", t.triangles}, {"left_out", t.left_out}, {"rows", rows}};
 }
 
 ordered_json to_json(const Comparison& c) {
@@ -130,8 +93,6 @@ ordered_json to_json(const Bench& bench) {
                                   {"truth", scene.truth},
                                   {"rows", rows}});
     }
-    json["traversal"] = ordered_json::array();
-    for (const TraversalResult& t : bench.traversal) json["traversal"].push_back(to_json(t));
     if (bench.against) json["against"] = to_json(*bench.against);
     return json;
 }

@@ -1,5 +1,6 @@
 #include "grader/bench/page.h"
 
+#include "grader/bench/html_cells.h"
 #include "grader/bench/page_parts.h"
 #include "grader/bench/text.h"
 #include "grader/report/html.h"
@@ -13,34 +14,8 @@ namespace raylab::bench {
 
 namespace {
 
+using namespace html;
 using json = nlohmann::ordered_json;
-
-constexpr const char* unknown = "&ndash;";
-
-// Four digits are more than any of these figures can bear.
-std::string digits(double v) {
-    const double size = std::abs(v);
-    if (size != 0 && (size < 1e-3 || size >= 1e6)) {
-        const int power = static_cast<int>(std::floor(std::log10(size)));
-        return fmt::format("{:.2f}&#8239;&middot;&#8239;10<sup>{}</sup>", v / std::pow(10, power),
-                           power);
-    }
-    return fmt::format("{:.{}f}", v, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 4);
-}
-
-std::string text(const json& value) { return escape_html(value.get<std::string>()); }
-
-// The median over its interval, an end of which may be open.
-std::string measured(const json& m, const char* prefix = "") {
-    if (!m.is_object() || m.at("median").is_null()) return unknown;
-    const auto end = [&](const char* name) {
-        return m.at(name).is_null() ? "open" : digits(m.at(name));
-    };
-    return fmt::format("{}{}<span class=\"interval\">{} &ndash; {}</span>", prefix,
-                       digits(m.at("median")), end("low"), end("high"));
-}
-
-std::string cell(const std::string& content) { return "<td class=\"number\">" + content + "</td>"; }
 
 std::string bias(const json& b) {
     if (b.at("relative").is_null()) return unknown;
@@ -50,14 +25,6 @@ std::string bias(const json& b) {
 }
 
 std::string millions(double v) { return v > 0 ? fmt::format("{:.2f}&#8239;M", v * 1e-6) : unknown; }
-
-std::string head(const std::vector<std::pair<const char*, const char*>>& columns) {
-    std::string cells;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        cells += fmt::format("<th{} title=\"{}\">{}</th>", i > 0 ? " class=\"number\"" : "",
-                             columns[i].second, columns[i].first);
-    return "<thead><tr>" + cells + "</tr></thead>";
-}
 
 std::string row_html(const json& row, std::size_t colour) {
     const std::string name = fmt::format(
@@ -132,31 +99,6 @@ std::string scene_html(const json& scene, std::size_t index, const json& bench) 
            "<tbody>" + rows + "</tbody></table></div></section>\n";
 }
 
-std::string traversal_html(const json& all) {
-    if (all.empty()) return "";
-    std::string rows;
-    for (const json& t : all)
-        for (const json& row : t.at("rows"))
-            rows += fmt::format(
-                "<tr><td>{}<span class=\"interval\">{} "
-                "triangles{}</span></td><td>{}</td>{}{}{}{}</tr>\n",
-                text(t.at("scene")), t.at("triangles").get<int>(),
-                t.at("left_out").get<std::string>().empty() ? ""
-                                                            : " without " + text(t.at("left_out")),
-                text(row.at("rays")), cell(measured(row.at("raylab_mrays"))),
-                cell(measured(row.at("embree_mrays"))),
-                cell(row.at("ratio").is_null() ? "hits differ" : measured(row.at("ratio"))),
-                cell(fmt::format("{} of {}", row.at("differing_hits").get<int>(),
-                                 row.at("count").get<int>())));
-    return "<section><h2>Closest hits: brute force and Embree</h2>\n<p class=\"reason\">One "
-           "thread, the "
-           "same rays, every triangle tested against rtcIntersect1 on a tree.</p>\n<table>"
-           "<thead><tr><th>Scene</th><th>Rays</th><th class=\"number\">raylab, Mrays / s</th>"
-           "<th class=\"number\">Embree, Mrays / s</th><th class=\"number\">Ratio</th>"
-           "<th class=\"number\">Differing hits</th></tr></thead><tbody>" +
-           rows + "</tbody></table></section>\n";
-}
-
 std::string against_html(const json& against) {
     std::string rows;
     for (const json& c : against.at("changes"))
@@ -191,7 +133,7 @@ std::string page_html(const json& bench, const std::string& machine) {
         "<header><h1>Speed against error</h1>\n<p class=\"summary\">{} rounds, {} threads, up to "
         "{} "
         "samples a pixel; ratios to <strong>{}</strong> in the same round</p>\n"
-        "<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}</header>\n{}{}{}"
+        "<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}</header>\n{}{}"
         "<section><h2>How this was measured</h2>\n<p class=\"reason\">Contestants take turns, "
         "every run "
         "with a seed of its own. Figures are medians over the rounds; an interval holds the true "
@@ -203,12 +145,13 @@ std::string page_html(const json& bench, const std::string& machine) {
         "agree with the truth gets no ratio.</p></section>\n",
         bench.at("rounds").get<int>(), bench.at("threads").get<int>(),
         bench.at("spp").back().get<int>(), text(bench.at("baseline")), escape_html(machine),
-        text(bench.at("command")), notes, sections, traversal_html(bench.at("traversal")),
+        text(bench.at("command")), notes, sections,
         bench.contains("against") ? against_html(bench.at("against")) : "",
         100 * bench.at("interval_coverage").get<double>(),
         joined(bench.at("spp").get<std::vector<int>>(), " and "));
     return html_page({"raylab bench", std::string(raylab::page_css) + page_css, body,
-                      bench.dump(-1, ' ', false, json::error_handler_t::replace), page_js});
+                      bench.dump(-1, ' ', false, json::error_handler_t::replace),
+                      std::string(plot_parts_js) + page_js});
 }
 
 } // namespace raylab::bench

@@ -1,52 +1,12 @@
 // The figures as text: a table for the terminal and bench.csv.
 #include "grader/bench/bench.h"
+#include "grader/bench/figures.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace raylab::bench {
-
-namespace {
-
-std::string figure(double value, const char* format) {
-    return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
-}
-
-// The median over its interval, an end of which may be open.
-std::string with_interval(const Measured& m, int digits = 4) {
-    if (!m.is_known()) return "-";
-    const auto end = [&](double v) {
-        return std::isfinite(v) ? fmt::format("{:.{}g}", v, digits) : "open";
-    };
-    return fmt::format("{:.{}g} [{}, {}]", m.median, digits, end(m.low), end(m.high));
-}
-
-std::string ratio_text(const std::optional<Measured>& ratio) {
-    return ratio ? with_interval(*ratio, 3) : "-";
-}
-
-// A field of CSV: quoted, quotes doubled, if it holds what would end it.
-std::string csv_text(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
-std::string csv_number(double value) {
-    return std::isfinite(value) ? fmt::format("{:.7g}", value) : "";
-}
-
-std::string csv_measured(const Measured& m) {
-    return csv_number(m.median) + "," + csv_number(m.low) + "," + csv_number(m.high);
-}
-
-std::string csv_measured(const std::optional<Measured>& m) { return m ? csv_measured(*m) : ",,"; }
-
-std::string header_of(const char* name) { return fmt::format("{0},{0}_low,{0}_high,", name); }
-
-} // namespace
 
 std::string to_csv(const Bench& bench) {
     std::string csv = "scene,width,height,contestant,title,threads,spp,rounds,agrees,verdict,";
@@ -101,20 +61,6 @@ std::string to_table(const SceneResult& scene) {
                             figure(row.seconds_to_target.median, "{:.3g}"), bias, row.verdict);
         for (const std::string& remark : row.remarks) text += fmt::format("{:13} {}\n", "", remark);
     }
-    return text;
-}
-
-std::string to_table(const std::vector<TraversalResult>& results) {
-    std::string text = fmt::format(
-        "closest hits, one thread, Mrays/s: raylab's brute force and {}\n", embree_version());
-    for (const TraversalResult& t : results)
-        for (const TraversalRow& row : t.rows)
-            text += fmt::format(
-                "{:24} {:>7} triangles  {:7} {:>22} {:>22}  {}, {} of {} hits differ{}\n", t.scene,
-                t.triangles, row.rays, with_interval(row.raylab_mrays),
-                with_interval(row.embree_mrays),
-                row.ratio ? "ratio " + ratio_text(row.ratio) : "no ratio", row.differing, row.count,
-                t.left_out.empty() ? "" : " (without " + t.left_out + ")");
     return text;
 }
 

@@ -1,6 +1,7 @@
 // bench.csv, bench.json and bench.html of a bench in which everything happens.
 #include "grader/bench/bench.h"
 #include "grader/bench/page.h"
+#include "grader/bench/tests/csv.h"
 #include "grader/bench/tests/simulated_contestant.h"
 
 #include <gmock/gmock.h>
@@ -25,29 +26,8 @@ Bench everything() {
     scene.rows = simulated::rows_of(
         {contestant("right", {}), contestant("dark", {1, 0.1, 0.9f}), broken}, "right");
     bench.scenes = {scene};
-    bench.notes = {"embree: not here."};
+    bench.notes = {"cycles: not here."};
     return bench;
-}
-
-// Fields of one CSV text, quoted line ends included.
-std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
-    std::vector<std::vector<std::string>> lines(1, {""});
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
-            lines.back().back() += text[++i];
-        else if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            lines.back().emplace_back();
-        else if (c == '\n' && !quoted)
-            lines.push_back({""});
-        else if (c != '\r' || quoted)
-            lines.back().back() += c;
-    }
-    lines.pop_back(); // after the last line end
-    return lines;
 }
 
 TEST(Csv, EveryLineHasTheHeadersFields) {

@@ -1,10 +1,8 @@
-#include "grader/bench/traversal.h"
+#include "grader/bench/rays/ray_contestant.h"
 
 namespace raylab::bench {
 
-std::string embree_version() { return ""; }
-
-TraversalResult bench_traversal(const Scene&, int) {
+RayContestant embree(bool) {
     throw ContestantError(
         "raylab was built without Embree: install libembree-dev, then configure anew");
 }

@@ -1,0 +1,65 @@
+// One mesh: every structure is built, every kind of ray traced, in turns; answers compared.
+//
+// In each round everybody traces the same rays once; who begins moves on by one from round to
+// round. So whatever else the machine does meets all alike, and ratios are formed within a round.
+#pragma once
+
+#include "grader/bench/rays/ray_sets.h"
+#include "grader/bench/statistics.h"
+
+#include <functional>
+#include <optional>
+
+namespace raylab::bench {
+
+struct RaceOptions {
+    std::vector<RayKind> kinds{std::begin(all_ray_kinds), std::end(all_ray_kinds)};
+    int rounds = 5;
+    int builds = 5; // timed, of each structure
+    int threads = 1;
+    std::uint32_t seed = 1;
+    std::string baseline; // whom ratios refer to
+};
+
+// An answer differs if one finds a hit and the other none, or if t differs by more than this share
+// of it; an exact contestant's from another exact one's already by one bit, or by the triangle.
+constexpr double tolerated_t = 1e-4;
+// Rays that graze an edge may be answered either way by those that are not exact.
+constexpr double tolerated_share = 1e-4;
+
+struct RayCell {
+    RayKind kind;
+    Measured mrays;                 // million rays a second
+    int differing = 0;              // answers
+    bool agrees = false;            // few enough of them
+    std::optional<Measured> ratio;  // over the baseline; only if both agree
+    std::optional<RayCounts> a_ray; // counted in a ray, on average
+};
+
+struct RayRow {
+    std::string name, title;
+    std::string failure; // a sentence if there are no figures
+    bool is_exact = false;
+    Measured build_seconds;
+    double bytes_per_triangle = 0;
+    std::vector<RayCell> cells; // one for each kind
+};
+
+struct RayRace {
+    std::string mesh, left_out;
+    int triangles = 0;
+    std::string truth;           // whose answers the others' are compared with
+    std::vector<int> ray_counts; // of each kind
+    std::vector<RayRow> rows;
+};
+
+// How many steps `after_step` is told of.
+int race_steps(const std::vector<RayContestant>& contestants, const RaceOptions& options);
+
+// Answers are compared with those of the first exact contestant that takes part, else of the first;
+// it also leads the rays from hit to hit. One that fails, or has too much to test, becomes a row
+// that says so. Throws ContestantError if nobody is left.
+RayRace race(const RayMesh& mesh, const std::vector<RayContestant>& contestants,
+             const RaceOptions& options, const std::function<void()>& after_step = {});
+
+} // namespace raylab::bench

@@ -1,0 +1,125 @@
+#include "grader/bench/rays/ray_mesh.h"
+
+#include "common/scene/procedural/procedural.h"
+#include "common/scene/read_file.h"
+#include "common/scene/scene_builder.h"
+#include "common/scene/scene_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raylab::bench {
+
+namespace {
+
+constexpr double half_angle_tan = 0.24 / 0.7;
+
+// Gives each triangle its place for an id.
+void number(RayMesh& mesh) {
+    if (mesh.triangles.empty())
+        throw SceneError(mesh.name + " has no triangles with an area: there is nothing to trace");
+    int place = 0;
+    for (Triangle& triangle : mesh.triangles) triangle.tags.id = place++;
+}
+
+void add_triangle(RayMesh& mesh, Vec3 a, Vec3 b, Vec3 c, int id) {
+    Triangle triangle{{a, b, c}, {}, -1, {id, 0, -1}};
+    if (set_normal(triangle)) mesh.triangles.push_back(triangle);
+}
+
+RayMesh from_mesh(const std::string& name, const Mesh& source) {
+    RayMesh mesh;
+    mesh.name = name;
+    mesh.triangles.reserve(source.triangles.size());
+    for (const MeshTriangle& t : source.triangles)
+        add_triangle(mesh, source.positions[t.position[0]], source.positions[t.position[1]],
+                     source.positions[t.position[2]], 0);
+    number(mesh);
+    return mesh;
+}
+
+std::string read(const std::filesystem::path& file) {
+    std::string bytes;
+    const std::string problem = read_file(file, bytes);
+    if (!problem.empty()) throw SceneError(problem);
+    return bytes;
+}
+
+} // namespace
+
+Bounds bounds_of(std::span<const Triangle> triangles) {
+    Bounds bounds;
+    for (const Triangle& triangle : triangles)
+        for (const Vec3& v : triangle.v) bounds.include(v);
+    return bounds;
+}
+
+Camera pinhole(DVec3 position, DVec3 look_at) {
+    const DVec3 view = look_at - position;
+    const DVec3 forward = view / std::sqrt(dot(view, view));
+    const bool upright = std::fabs(forward.y) < 0.999; // else -z is up in the picture
+    const DVec3 side = cross(forward, upright ? DVec3(0, 1, 0) : DVec3(0, 0, -1));
+    const DVec3 right = side / std::sqrt(dot(side, side));
+    Camera camera{};
+    camera.position = position;
+    camera.forward = forward;
+    camera.right = right;
+    camera.up = cross(right, forward);
+    camera.half_width = camera.half_height = half_angle_tan;
+    return camera;
+}
+
+Camera view_from_front(const Bounds& bounds) {
+    const DVec3 low(bounds.low), high(bounds.high), middle = (low + high) / 2.0;
+    const double half = std::max({high.x - low.x, high.y - low.y, (high.z - low.z) / 8}) / 2;
+    return pinhole(DVec3(middle.x, middle.y, high.z + half / half_angle_tan), middle);
+}
+
+Camera view_from_above(const Bounds& bounds) {
+    const DVec3 low(bounds.low), high(bounds.high), middle = (low + high) / 2.0;
+    const double radius = std::sqrt(dot(high - low, high - low)) / 2;
+    return pinhole(middle + DVec3(0.6, 0.8, 1.2) * (1.3 * radius / half_angle_tan / 1.56), middle);
+}
+
+RayMesh polygons_of(const Scene& scene) {
+    RayMesh mesh;
+    mesh.name = scene.name;
+    for (const auto& [n, what] :
+         {std::pair(scene.spheres.size(), "spheres"), std::pair(scene.planes.size(), "planes")})
+        if (n > 0)
+            mesh.left_out += fmt::format("{}{} {}", mesh.left_out.empty() ? "" : ", ", n, what);
+    for (const Quad& q : scene.quads) {
+        add_triangle(mesh, q.v[0], q.v[1], q.v[2], q.tags.id);
+        add_triangle(mesh, q.v[0], q.v[2], q.v[3], q.tags.id);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), scene.triangles.begin(), scene.triangles.end());
+    std::stable_sort(mesh.triangles.begin(), mesh.triangles.end(),
+                     [](const Triangle& a, const Triangle& b) { return a.tags.id < b.tags.id; });
+    number(mesh);
+    mesh.camera = scene.camera;
+    mesh.camera.lens_radius = 0;
+    return mesh;
+}
+
+RayMesh load_ray_mesh(const std::filesystem::path& file) {
+    const std::string bytes = read(file);
+    const Mesh source = file.extension() == ".obj"
+                            ? parse_obj(bytes, file.string())
+                            : parse_gltf(bytes, file.string(), [&](const std::string& name) {
+                                  return read(file.parent_path() / name);
+                              });
+    RayMesh mesh = from_mesh(file.stem().string(), source);
+    mesh.camera = view_from_front(bounds_of(mesh.triangles));
+    return mesh;
+}
+
+RayMesh procedural_ray_mesh(const std::string& kind, int triangles, std::uint32_t seed) {
+    RayMesh mesh = from_mesh(kind + ":" + std::to_string(triangles),
+                             find_procedural_mesh(kind)->make(triangles, seed));
+    mesh.camera = kind == "stadium" ? pinhole(DVec3(12, 5, 4), DVec3(5, 2, -3))
+                                    : view_from_above(bounds_of(mesh.triangles));
+    return mesh;
+}
+
+} // namespace raylab::bench
