@@ -83,7 +83,7 @@ class Builder {
         --limits.depth;
 
         Bounds low = cell, high = cell;
-        (&low.high.x)[plane.axis] = (&high.low.x)[plane.axis] = plane.at;
+        low.high[plane.axis] = high.low[plane.axis] = plane.at;
         Limits lower = limits, upper = limits;
         lower.copies = limits.copies * below / std::max(below + above, 1);
         upper.copies = limits.copies - lower.copies;

@@ -68,8 +68,8 @@ class KdClip {
     Bounds widened(const DBox& box) const {
         Bounds wide;
         for (int axis = 0; axis < 3; ++axis) {
-            (&wide.low.x)[axis] = round_down(box.low[axis] - 2 * margin_);
-            (&wide.high.x)[axis] = -round_down(-box.high[axis] - 2 * margin_);
+            wide.low[axis] = round_down(box.low[axis] - 2 * margin_);
+            wide.high[axis] = -round_down(-box.high[axis] - 2 * margin_);
         }
         return wide;
     }

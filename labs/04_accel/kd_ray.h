@@ -3,16 +3,16 @@
 // All walks compute a plane's t by the same three operations, in double, and compare those t alone.
 // So for them the planes that a ray meets have one order, and each walk comes to the same leaves.
 //
-// A leaf holds every triangle that comes within `margin` of its cell (kd_margin.h), at least 2^-40
-// of the scene. That covers what may put a ray's point outside the cell that a walk looks for it
-// in:
-//   - t has three roundings: 3 * 2^-53 |plane - o|, sideways;
-//   - a component of d below 2^-50 counts as 2^-50: 2^-50 t, and no plane has a t that is not
-//   finite;
-//   - the triangle test takes the ray to pass an edge that it misses by 2^-49 of the corners'
-//     distance (sheared_ray.h).
-// So nothing is lost for origins within 2^8 scenes around. A ray in a split plane may go either
-// way.
+// A leaf holds every triangle that comes within a margin of its cell (kd_clip.h), at least 2^-40 of
+// the scene's largest coordinate. Two things may put the place of a hit outside the cell that a
+// walk looks for it in. t has three roundings: 3 * 2^-53 |plane - o|, sideways. And the triangle
+// test takes a ray to pass an edge that it misses by 2^-49 of the corners' distance (edge_error()
+// in sheared_ray.h); by more, up to the ratio of its sides as the ray sees them, if that is a
+// needle. So for origins within some scenes around, and triangles that are not seen edge-on to the
+// last digits of a float, no hit is lost.
+//
+// A ray in a split plane may go either way: its t is 0 / 0, every comparison with it is false, and
+// the ray stays on the first side.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -24,13 +24,8 @@ struct KdRay {
     DVec3 o, inv_d;
     int down = 0; // bit k: the ray goes down axis k
 
-    HD_HOT explicit KdRay(const Ray& ray) : o(ray.o) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double d = (&ray.d.x)[axis];
-            const double inverse = 1 / (fabs(d) < 0x1p-50 ? copysign(0x1p-50, d) : d);
-            (&inv_d.x)[axis] = inverse;
-            down |= int(inverse < 0) << axis;
-        }
+    HD_HOT explicit KdRay(const Ray& ray) : o(ray.o), inv_d(1.0 / DVec3(ray.d)) {
+        down = (inv_d.x < 0) | (inv_d.y < 0) << 1 | (inv_d.z < 0) << 2;
     }
 
     // 1: the ray goes down this axis; 0: up.

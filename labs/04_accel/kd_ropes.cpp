@@ -31,7 +31,7 @@ class Layer {
         }
         const int axis = node.axis();
         Bounds lower = cell, upper = cell;
-        (&lower.high.x)[axis] = (&upper.low.x)[axis] = node.split;
+        lower.high[axis] = upper.low[axis] = node.split;
         Ropes lower_ropes = ropes, upper_ropes = ropes;
         //[ task 4.2
         lower_ropes[2 * axis + 1] = node.above();

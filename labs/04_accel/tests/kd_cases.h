@@ -84,7 +84,7 @@ inline std::vector<Triangle> on_grid(int n) {
             corner = {float(dice.below(7)), float(dice.below(7)), float(dice.below(7))};
         const int axis = dice.below(4); // 3: any triangle
         if (axis < 3)
-            for (Vec3& corner : v) (&corner.x)[axis] = (&v[0].x)[axis];
+            for (Vec3& corner : v) corner[axis] = v[0][axis];
         const Vec3 normal = cross(v[1] - v[0], v[2] - v[0]);
         if (dot(normal, normal) > 0) add(triangles, v[0], v[1], v[2]);
     }
@@ -134,8 +134,8 @@ inline std::vector<Ray> grid_rays(int n) {
             const float places[] = {float(dice.below(9) - 1), dice.below(17) * 0.5f - 1,
                                     dice.between(-1, 7)};
             const float ways[] = {0.0f, -0.0f, 1.0f, -1.0f};
-            (&o.x)[axis] = places[dice.below(3)];
-            (&d.x)[axis] = ways[dice.below(4)];
+            o[axis] = places[dice.below(3)];
+            d[axis] = ways[dice.below(4)];
         }
         if (dot(d, d) > 0) rays.push_back({o, normalize(d)});
     }

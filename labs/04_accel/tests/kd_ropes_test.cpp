@@ -14,7 +14,7 @@ void find_cells(const KdTree& tree, int at, const Bounds& cell, std::vector<Boun
     const KdNode& node = tree.nodes[at];
     if (node.is_leaf()) return;
     Bounds low = cell, high = cell;
-    (&low.high.x)[node.axis()] = (&high.low.x)[node.axis()] = node.split;
+    low.high[node.axis()] = high.low[node.axis()] = node.split;
     find_cells(tree, node.below(), low, cells);
     find_cells(tree, node.above(), high, cells);
 }
@@ -22,8 +22,8 @@ void find_cells(const KdTree& tree, int at, const Bounds& cell, std::vector<Boun
 // Do the cell's face and the neighbour touch, and does the neighbour cover all of the face?
 bool covers(const Bounds& neighbour, const Bounds& cell, int face) {
     for (int axis = 0; axis < 3; ++axis) {
-        const float low = (&cell.low.x)[axis], high = (&cell.high.x)[axis];
-        const float n_low = (&neighbour.low.x)[axis], n_high = (&neighbour.high.x)[axis];
+        const float low = cell.low[axis], high = cell.high[axis];
+        const float n_low = neighbour.low[axis], n_high = neighbour.high[axis];
         const bool touches = face % 2 == 0 ? n_high == low : n_low == high;
         if (axis == face / 2 ? !touches : !(n_low <= low && n_high >= high)) return false;
     }
@@ -42,11 +42,9 @@ TEST(Task4_2, RopesLeadToTheSmallestNeighbour) {
         find_cells(tree, 0, tree.bounds, cells);
         for (const KdLeaf& leaf : tree.leaves) {
             for (int face = 0; face < 6; ++face) {
-                const bool outer =
-                    covers(tree.bounds, leaf.cell, face ^ 1) ||
-                    (face % 2 == 0
-                         ? (&leaf.cell.low.x)[face / 2] == (&tree.bounds.low.x)[face / 2]
-                         : (&leaf.cell.high.x)[face / 2] == (&tree.bounds.high.x)[face / 2]);
+                const int axis = face / 2;
+                const bool outer = face % 2 == 0 ? leaf.cell.low[axis] == tree.bounds.low[axis]
+                                                 : leaf.cell.high[axis] == tree.bounds.high[axis];
                 const int rope = leaf.rope[face];
                 if (!expect((rope == no_rope) == outer,
                             fmt::format(

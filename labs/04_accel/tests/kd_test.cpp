@@ -54,21 +54,18 @@ std::vector<Ray> rays_in_split_planes(const KdTree& tree, int n) {
         Vec3 o, d;
         const bool to_corner = dice.below(4) == 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const float low = (&cell.low.x)[axis], high = (&cell.high.x)[axis];
-            const float places[] = {
-                low, high, dice.between(low, high),
-                dice.between((&tree.bounds.low.x)[axis], (&tree.bounds.high.x)[axis])};
+            const float low = cell.low[axis], high = cell.high[axis];
+            const float places[] = {low, high, dice.between(low, high),
+                                    dice.between(tree.bounds.low[axis], tree.bounds.high[axis])};
             const float ways[] = {0.0f, -0.0f, 1, -1, dice.between(-1, 1)};
-            (&o.x)[axis] = places[dice.below(4)];
-            (&d.x)[axis] =
-                to_corner
-                    ? (dice.below(2) ? (&other.low.x)[axis] : (&other.high.x)[axis]) - (&o.x)[axis]
-                    : ways[dice.below(5)];
+            o[axis] = places[dice.below(4)];
+            d[axis] = to_corner ? (dice.below(2) ? other.low[axis] : other.high[axis]) - o[axis]
+                                : ways[dice.below(5)];
         }
         if (!(dot(d, d) > 0)) continue;
         d = normalize(d);
         for (int axis = 0; axis < 3; ++axis)
-            if (float& x = (&d.x)[axis]; std::fabs(x) < 0x1p-20f) x = std::copysign(0.0f, x);
+            if (float& x = d[axis]; std::fabs(x) < 0x1p-20f) x = std::copysign(0.0f, x);
         rays.push_back({o, d});
     }
     return rays;
