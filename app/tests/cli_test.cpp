@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(Cli, RendersALegalScene) {
     write_scene("s.json");
-    for (const std::string lab : {"01", "02", "03"}) {
+    for (const std::string lab : {"01", "02", "03", "04"}) {
         const Outcome outcome = raylab("render " + lab + " " + in("s.json") + " -o " + in("o.exr"));
         EXPECT_EQ(outcome.code, 0) << outcome.text;
         EXPECT_TRUE(fs::exists(in("o.exr")));
@@ -70,6 +70,20 @@ TEST_F(Cli, OptionsOfThePoolAreForTheLabThatHasOne) {
     expect_refused("render 03" + scene + " --first-bounce-cache", {"jitter", "--jitter false"});
     expect_refused("render 03" + scene + " --width 4096 --height 4096 --memory-budget 2",
                    {"film", "2.00 MiB", "--memory-budget"});
+}
+
+TEST_F(Cli, OptionsOfTheStructureAreForTheLabThatHasOne) {
+    write_scene("s.json");
+    const std::string scene = " " + in("s.json") + " -o " + in("o.exr");
+    const Outcome drawn = raylab("render 04" + scene + " --accel kd --walk ropes --pool 7");
+    EXPECT_EQ(drawn.code, 0) << drawn.text;
+    fs::remove(in("o.exr"));
+    expect_refused("render 03" + scene + " --accel kd", {"lab 03 has no structure", "--accel"});
+    expect_refused("render 02" + scene + " --walk stack", {"lab 02 has no structure", "--walk"});
+    expect_refused("render 04" + scene + " --scan naive", {"lab 04", "--scan"});
+    expect_refused("render 04" + scene + " --accel octree", {"--accel", "octree", "kd"});
+    expect_refused("render 04" + scene + " --accel kd --walk skip",
+                   {"no walk 'skip'", "--accel kd", "ropes"});
 }
 
 TEST_F(Cli, WrongSettingsOnTheCommandLineAreRefused) {
