@@ -34,6 +34,7 @@ struct KdRay {
     HD_HOT double t_at(int axis, float plane) const {
         return (plane - along(o, axis)) * along(inv_d, axis);
     }
+    HD_HOT double t_at(const KdNode& node) const { return t_at(node.axis(), node.split); }
 
     // Of the two children, the one that the ray comes to first.
     HD_HOT int first(const KdNode& node) const { return node.below() + is_down(node.axis()); }

@@ -37,7 +37,6 @@ class Layer {
         lower_ropes[2 * axis + 1] = node.above();
         upper_ropes[2 * axis] = node.below();
         //| // To the root: right, but a long way down again.
-        //| not_implemented("4.2", "lay_ropes()");
         //| lower_ropes[2 * axis + 1] = upper_ropes[2 * axis] = 0;
         //]
         lay(node.below(), lower, lower_ropes);
@@ -61,7 +60,7 @@ class Layer {
                 break;
             }
         }
-        //|
+        //| not_implemented("4.2", "lay_ropes()");
         //]
         return rope;
     }

@@ -27,7 +27,7 @@ template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& qu
             node = tree.nodes[at];
             if (!query.step()) return;
             if (node.is_leaf()) break;
-            const double t = ray.t_at(node.axis(), node.split);
+            const double t = ray.t_at(node);
             if (t <= rest.begin) {
                 at = ray.second(node);
             } else {

@@ -22,19 +22,19 @@ template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& quer
             node = tree.nodes[at];
             if (!query.step()) return;
             if (node.is_leaf()) break;
-            at = ray.t_at(node.axis(), node.split) <= t ? ray.second(node) : ray.first(node);
+            at = ray.t_at(node) <= t ? ray.second(node) : ray.first(node);
         }
         // Out through the first of the three faces that the ray moves towards. Before the blocks
         // are tested, so that the memory is on its way meanwhile.
         const KdLeaf& leaf = tree.leaves[tree.leaf_of[at]];
         t = infinity;
         at = no_rope;
-        for (int axis = 0; axis < 3; ++axis) {
-            const bool down = ray.is_down(axis);
-            const double leave = ray.t_at(axis, (&(down ? leaf.cell.low : leaf.cell.high).x)[axis]);
+        for (int k = 0; k < 3; ++k) {
+            const bool down = ray.is_down(k);
+            const double leave = ray.t_at(k, (&(down ? leaf.cell.low : leaf.cell.high).x)[k]);
             if (leave < t) {
                 t = leave;
-                at = leaf.rope[2 * axis + !down];
+                at = leaf.rope[2 * k + !down];
             }
         }
         if (visit_leaf(node, query)) return;

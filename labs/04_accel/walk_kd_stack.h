@@ -19,7 +19,7 @@ template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& quer
         const KdNode node = tree.nodes[at];
         if (!query.step()) return;
         if (!node.is_leaf()) {
-            const double t = ray.t_at(node.axis(), node.split);
+            const double t = ray.t_at(node);
             if (t <= part.begin) {
                 at = ray.second(node);
                 continue;
@@ -31,8 +31,7 @@ template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& quer
             }
             continue;
         }
-        if (visit_leaf(node, query)) return;
-        if (waiting == 0 || is_beyond(part.end, query.reach())) return;
+        if (visit_leaf(node, query) || waiting == 0 || is_beyond(part.end, query.reach())) return;
         --waiting;
         at = later[waiting].node;
         part = {part.end, later[waiting].end};

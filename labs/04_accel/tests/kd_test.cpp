@@ -84,6 +84,21 @@ TEST(KdTree, AccelBrute) {
     }
 }
 
+// As kd_ray.h says; so none looks further than another.
+TEST(KdTree, WalksComeToTheSameLeaves) {
+    for (const auto& triangles : {soup(500, 0.3f), hills(24)}) {
+        const KdCase scene(triangles, deep());
+        for (const Ray& ray : any_rays(2000)) {
+            const WalkCounts stack = scene.answer(KdWalk::stack, ray).closest,
+                             ropes = scene.answer(KdWalk::ropes, ray).closest,
+                             restart = scene.answer(KdWalk::restart, ray).closest;
+            ASSERT_EQ(ropes.blocks, stack.blocks);
+            ASSERT_EQ(restart.blocks, stack.blocks);
+            ASSERT_GE(restart.nodes, ropes.nodes);
+        }
+    }
+}
+
 TEST(KdTree, KdPlane) {
     const int n = test::rays(6000, 300000);
     expect_equal_to_brute_force(on_grid(400), grid_rays(n), "grid");
