@@ -1,4 +1,4 @@
-// Long thin triangles at every slant, 256 times as long as wide, with their feet in the unit cube.
+// Long thin triangles at every slant, 64 times as long as wide, with their feet in the unit cube.
 // Their boxes are as wide as they are long, so that boxes overlap however they are put together.
 // Length goes with 1 / cbrt(triangles): each point of the cube lies in about as many boxes whatever
 // their number.
@@ -27,7 +27,7 @@ DVec3 random_direction(std::uint32_t seed, std::uint32_t i, std::uint32_t purpos
 Mesh make_needles(int triangles, std::uint32_t seed) {
     int root = 1; // of the number, cubic, rounded down
     while ((root + 1LL) * (root + 1) * (root + 1) <= triangles) ++root;
-    const double length = 4.0 / root, half_width = length / 512;
+    const double length = 4.0 / root, half_width = length / 128;
     Mesh mesh;
     for (std::uint32_t i = 0; i < std::uint32_t(triangles); ++i) {
         const DVec3 foot = unit_cube_point(pcg4d({seed, i, 0, 0}));
