@@ -1,92 +1,32 @@
-// Top down, with bins. Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, 2007.
-//
-// A node with n triangles is cut where the expected cost of a ray is least,
-//     cost = A_left / A * blocks(n_left) + A_right / A * blocks(n_right),
-// over planes between `bins` slices of the box of the centres. A leaf is one block, so a node is
-// cut until its triangles fit into one, and counts of blocks, not of triangles, are what a ray pays
-// for.
+// Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
+// into one block, which is a leaf.
 #include "labs/04_accel/bvh_sah.h"
 
-#include "labs/04_accel/build_items.h"
+#include "labs/04_accel/bvh_split.h"
 #include "labs/04_accel/leaf_blocks.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <span>
 
 namespace raylab::lab04 {
 namespace {
 
-constexpr int bins = 32;
+// Cuts through triangles are tried where the children's boxes would overlap by more than this share
+// of the scene's, and as long as there are no more references than this for each triangle.
+constexpr double least_overlap = 1e-3, most_references = 1.4;
 
-using Items = std::span<BuildItem>;
-
-struct Split {
-    double cost = infinity;
-    int axis = -1, plane = 0; // bins 0 .. plane - 1 go to the left
-};
-
-struct Bin {
+struct Child {
+    int child; // as in BvhNode
     Bounds box;
-    int count = 0;
 };
-
-// The slices of the box of centres along an axis.
-struct Slices {
-    float low, scale;
-    int operator()(float centre) const {
-        return std::clamp(static_cast<int>((centre - low) * scale), 0, bins - 1);
-    }
-};
-
-Slices slices(const Bounds& centres, int axis) {
-    const float low = (&centres.low.x)[axis], high = (&centres.high.x)[axis];
-    return {low, static_cast<float>(bins * (1 - 1e-6) / (double(high) - low))};
-}
-
-double paid(int count) { return (count + 3) / 4; }
-
-Split best_split(Items items, const Bounds& centres) {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!((&centres.high.x)[axis] > (&centres.low.x)[axis])) continue;
-        const Slices slice = slices(centres, axis);
-        std::array<Bin, bins> bin;
-        for (const BuildItem& item : items) {
-            Bin& b = bin[slice(item.centre(axis))];
-            b.box.include(item.box);
-            ++b.count;
-        }
-        std::array<double, bins> right_cost;
-        Bounds box;
-        int count = 0;
-        for (int i = bins - 1; i > 0; --i) {
-            box.include(bin[i].box);
-            count += bin[i].count;
-            right_cost[i] = count > 0 ? half_area(box) * paid(count) : 0;
-        }
-        box = {};
-        count = 0;
-        for (int plane = 1; plane < bins; ++plane) {
-            box.include(bin[plane - 1].box);
-            count += bin[plane - 1].count;
-            if (count == 0 || count == static_cast<int>(items.size())) continue;
-            const double cost = half_area(box) * paid(count) + right_cost[plane];
-            if (cost < best.cost) best = {cost, axis, plane};
-        }
-    }
-    return best;
-}
 
 struct Builder {
     const std::vector<Triangle>& triangles;
+    KdClip clip;
+    double root_area;
+    std::size_t references; // so far
     BvhTree tree;
-
-    struct Child {
-        int child;
-        Bounds box;
-    };
 
     Child leaf(Items items) {
         std::array<int, triangles_per_block> indices;
@@ -99,23 +39,8 @@ struct Builder {
         return {~static_cast<int>(tree.blocks.size() - 1), box};
     }
 
-    // Cuts in two; returns the first of the second half.
-    std::size_t cut(Items items, int depth, int& axis) {
-        Bounds centres;
-        for (const BuildItem& item : items)
-            centres.include({item.centre(0), item.centre(1), item.centre(2)});
-        const int halvings = std::bit_width(items.size()); // that a tree of medians may still need
-        const bool deep = depth + halvings >= max_bvh_depth;
-        const Split split = deep ? Split{} : best_split(items, centres);
-        if (split.axis >= 0) {
-            axis = split.axis;
-            const Slices slice = slices(centres, axis);
-            const auto middle =
-                std::partition(items.begin(), items.end(), [&](const BuildItem& item) {
-                    return slice(item.centre(axis)) < split.plane;
-                });
-            return middle - items.begin();
-        }
+    // The half with fewer triangles at the front, wherever they lie.
+    std::size_t cut_at_median(Items items, const Bounds& centres, int& axis) {
         const Vec3 extent = centres.high - centres.low;
         axis =
             extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
@@ -133,21 +58,54 @@ struct Builder {
         if (items.size() <= triangles_per_block) return leaf(items);
         const int self = static_cast<int>(tree.nodes.size());
         tree.nodes.push_back({.parent = parent});
-        int axis = 0;
-        const std::size_t middle = cut(items, depth, axis);
-        const Child half[2] = {build(items.subspan(0, middle), self, depth + 1),
-                               build(items.subspan(middle), self, depth + 1)};
+
+        const Bounds centres = centres_of(items);
+        // A tree of medians below may still need this many levels.
+        const int halvings = std::bit_width(items.size());
+        const bool deep = depth + halvings >= max_bvh_depth;
+        Split split = deep ? Split{} : best_cut_between(items, centres);
+        if (!deep && split.overlap > least_overlap * root_area &&
+            references < most_references * triangles.size()) {
+            Bounds box;
+            for (const BuildItem& item : items) box.include(item.box);
+            const Split through = best_cut_through(items, box, triangles, clip);
+            if (through.cost < split.cost) {
+                std::vector<BuildItem> left, right;
+                cut_through(items, triangles, clip, through, left, right);
+                if (!left.empty() && !right.empty() && left.size() < items.size() &&
+                    right.size() < items.size()) {
+                    references += left.size() + right.size() - items.size();
+                    return finish(self, through.axis, build(left, self, depth + 1),
+                                  build(right, self, depth + 1));
+                }
+            }
+        }
+        int axis = split.axis;
+        const std::size_t middle =
+            axis >= 0 ? cut_between(items, centres, split) : cut_at_median(items, centres, axis);
+        const Child left = build(items.subspan(0, middle), self, depth + 1);
+        return finish(self, axis, left, build(items.subspan(middle), self, depth + 1));
+    }
+
+    // A tree of one leaf: a root with nothing on its other side.
+    void hang(const Child& leaf) {
+        tree.nodes.push_back({.parent = -1});
+        finish(0, 0, leaf, {no_child, {}});
+    }
+
+    Child finish(int self, int axis, const Child& left, const Child& right) {
         BvhNode& node = tree.nodes[self];
         node.axis = axis;
-        Bounds box;
+        const Child* half[2] = {&left, &right};
         for (int k = 0; k < 2; ++k) {
             for (int a = 0; a < 3; ++a) {
-                node.box[a][0][k] = (&half[k].box.low.x)[a];
-                node.box[a][1][k] = (&half[k].box.high.x)[a];
+                node.box[a][0][k] = (&half[k]->box.low.x)[a];
+                node.box[a][1][k] = (&half[k]->box.high.x)[a];
             }
-            node.child[k] = half[k].child;
-            box.include(half[k].box);
+            node.child[k] = half[k]->child;
         }
+        Bounds box = left.box;
+        box.include(right.box);
         return {self, box};
     }
 };
@@ -156,9 +114,13 @@ struct Builder {
 
 BvhTree build_bvh_sah(const std::vector<Triangle>& triangles) {
     std::vector<BuildItem> items = build_items(triangles);
-    Builder builder{triangles, {}};
     if (items.empty()) return {};
-    builder.build(items, -1, 0);
+    Bounds box;
+    for (const BuildItem& item : items) box.include(item.box);
+    const float largest = max_component(glm::max(abs(box.low), abs(box.high)));
+    Builder builder{triangles, KdClip(largest), half_area(box), items.size(), {}};
+    const Child root = builder.build(items, -1, 0);
+    if (is_leaf(root.child)) builder.hang(root);
     return std::move(builder.tree);
 }
 

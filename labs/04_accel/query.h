@@ -31,63 +31,105 @@ constexpr std::uint32_t most_steps = 1u << 22;
 class Query {
   public:
     HD Query(const Leaves& leaves, const Ray& ray)
-        : slab(ray), leaves_(leaves), sheared_(ray), glance_(sheared_) {}
+        : slab(ray), leaves_(leaves), ray_(ray), glance_(ray, slab.inv_d) {}
 
     const SlabRay slab; // the ray, for box tests
 
-    HD const Ray& ray() const { return sheared_.ray; }
+    HD const Ray& ray() const { return ray_; }
     HD const WalkCounts& counts() const { return counts_; }
+    HD int blocks() const { return leaves_.blocks.size; } // all there are
     HD bool endless() const { return counts_.nodes >= most_steps; }
 
     // Counts a node. False: this walk has no end, and must return.
     HD bool step() { return ++counts_.nodes < most_steps; }
 
   protected:
-    // Calls met(triangle, index, t) for each triangle of the block that the ray meets in (0,
-    // reach], until it returns true.
-    template <class Met> HD_HOT bool test(int block, float reach, const Met& met) {
+    HD TriangleGlance look_at(int block, float reach) {
         ++counts_.blocks;
-        const TriangleBlock& four = leaves_.blocks[block];
-        for (std::uint32_t left = glance(four, sheared_, glance_, reach); left != 0;
-             left &= left - 1) {
-            const int index = four.index[lowest_bit(left)];
-            const Triangle& triangle = leaves_.triangles[index];
-            float t;
-            if (intersect(triangle, sheared_, t) && met(triangle, index, t)) return true;
-        }
-        return false;
+        return glance(leaves_.blocks[block], glance_, reach);
+    }
+    HD bool meets(int block, int lane, float& t) const {
+        return intersect(corners_in(leaves_.blocks[block], lane), ShearedRay(ray_), t);
+    }
+    // Of a triangle that the ray passes inside of: only t is left to find.
+    HD bool meets_inside(int block, int lane, float& t) const {
+        return intersect(exact_plane(corners_in(leaves_.blocks[block], lane)), ray(), t);
+    }
+    HD int index_of(int block, int lane) const { return leaves_.blocks[block].index[lane]; }
+    HD int id_of(int index) const { return leaves_.triangles[index].tags.id; }
+
+    // Of the lane's triangle the glance knows already that it is hit.
+    HD bool is_hit(const TriangleGlance& seen, int lane) const {
+        return seen.sure >> lane & 1 && seen.begin[lane] > 0 && seen.end[lane] < ray().t_max;
     }
 
   private:
     const Leaves& leaves_;
-    ShearedRay sheared_;
+    Ray ray_;
     GlanceRay glance_;
     WalkCounts counts_;
 };
 
 // The closest hit in (0, ray.t_max); of two at the same t that with the lowest id, so that no
 // structure, and no order of a walk, changes an image.
+//
+// Most rays pass inside of the triangle that they hit, and nothing else comes near that t. The
+// glance's interval decides then, and t is computed once, when the walk is over.
 class ClosestHit : public Query {
   public:
-    using Query::Query;
+    HD ClosestHit(const Leaves& leaves, const Ray& ray) : Query(leaves, ray), reach_(ray.t_max) {}
 
-    HD const Hit& hit() const { return hit_; }
+    // A box that was crossed once may lie out of reach later.
+    static constexpr bool reach_shrinks = true;
+
+    // Call it when the walk is over.
+    HD const Hit& hit() {
+        settle();
+        return hit_;
+    }
 
     // Nothing beyond this t matters. At it, a lower id does: walks skip a box only if it begins
     // behind it.
-    HD float reach() const { return glm::min(hit_.t, ray().t_max); }
+    HD float reach() const { return reach_; }
 
     // Tests a block of triangles. True: the walk may end.
     HD_HOT bool visit(int block) {
-        return test(block, reach(), [&](const Triangle& triangle, int index, float t) {
-            if (hit_.is_beaten_by(t, triangle.tags.id))
-                hit_ = {t, triangle.tags.id, Shape::triangle, index};
-            return false;
-        });
+        const TriangleGlance seen = look_at(block, reach_);
+        for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
+            const int lane = lowest_bit(left);
+            if (seen.begin[lane] > reach_) continue;
+            if (is_hit(seen, lane) && seen.end[lane] < begin_) {
+                block_ = block, lane_ = lane;
+                begin_ = seen.begin[lane], reach_ = seen.end[lane];
+                continue;
+            }
+            settle();
+            float t;
+            if (meets(block, lane, t)) found(index_of(block, lane), t);
+        }
+        return false;
     }
 
   private:
-    Hit hit_;
+    // The exact t of the hit that a glance has found.
+    HD void settle() {
+        if (lane_ < 0) return;
+        float t;
+        if (meets_inside(block_, lane_, t)) {
+            hit_ = {};
+            found(index_of(block_, lane_), t);
+        }
+        lane_ = -1;
+    }
+    HD void found(int index, float t) {
+        const int id = id_of(index);
+        if (hit_.is_beaten_by(t, id)) hit_ = {t, id, Shape::triangle, index};
+        begin_ = reach_ = glm::min(hit_.t, ray().t_max);
+    }
+
+    Hit hit_;                        // exact; lane_ >= 0: something closer has been found
+    int block_, lane_ = -1;          // by a glance, there,
+    float begin_ = infinity, reach_; // within this interval
 };
 
 // Whether anything is in (0, ray.t_max): the first hit found ends the walk.
@@ -95,11 +137,18 @@ class AnyHit : public Query {
   public:
     using Query::Query;
 
+    static constexpr bool reach_shrinks = false;
+
     HD bool found() const { return found_; }
     HD float reach() const { return ray().t_max; }
 
     HD_HOT bool visit(int block) {
-        found_ = test(block, reach(), [](const Triangle&, int, float) { return true; });
+        const TriangleGlance seen = look_at(block, reach());
+        for (std::uint32_t left = seen.maybe; left != 0 && !found_; left &= left - 1) {
+            const int lane = lowest_bit(left);
+            float t;
+            found_ = is_hit(seen, lane) || meets(block, lane, t);
+        }
         return found_;
     }
 

@@ -6,7 +6,8 @@
 // those that the ray misses for certain, and hands on the rest.
 #pragma once
 
-#include "common/geometry/sheared_ray.h"
+#include "common/geometry/ray.h"
+#include "common/geometry/shapes.h"
 
 #include <cstdint>
 
@@ -19,58 +20,96 @@ struct TriangleBlock {
     int index[triangles_per_block];     // in SceneView::triangles; -1: the lane is empty
 };
 
-// The ray of a glance: ShearedRay's axes, in float.
+// The ray of a glance: along its main axis, as ShearedRay, but in float.
 struct GlanceRay {
+    int kx, ky, kz;   // a cyclic permutation of the axes; d is largest along kz
     float ox, oy, oz; // the origin, permuted
     float sx, sy;     // slopes d.x / d.z, d.y / d.z, permuted: both within [-1, 1]
     float inv_dz;     // t = z * inv_dz at the depth z along the main axis
 
-    HD explicit GlanceRay(const ShearedRay& ray)
-        : ox(ray.ox), oy(ray.oy), oz(ray.oz), sx(float(ray.sx)), sy(float(ray.sy)),
-          inv_dz(1 / (ray.kz == 0   ? ray.ray.d.x
-                      : ray.kz == 1 ? ray.ray.d.y
-                                    : ray.ray.d.z)) {}
+    // inv_d: 1 / ray.d, rounded.
+    HD GlanceRay(const Ray& ray, Vec3 inv_d) {
+        const Vec3 size = abs(ray.d);
+        kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        // Selected, not indexed: an index would put the ray into a GPU's slow local memory.
+        const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+        ox = along(ray.o, kx), oy = along(ray.o, ky), oz = along(ray.o, kz);
+        inv_dz = along(inv_d, kz);
+        sx = along(ray.d, kx) * inv_dz;
+        sy = along(ray.d, ky) * inv_dz;
+    }
 };
 
-// A bit for each lane whose triangle the ray may meet in (0, t_max].
-//
-// With size = |x| + |y| + |z| of a corner in ray space, x and y are off by less than 4 u size (the
-// subtraction, the slope, its product, the last subtraction), an edge function of two corners by
-// less than 11 u width size, where width = |x| + |y|: 2^-20 = 16 u bounds that, and what double
-// leaves open besides. On the triangle t lies between those of its corners, (p - o).z inv_dz, with
-// three roundings. A NaN drops its triangle, which is never hit.
-HD_HOT std::uint32_t glance(const TriangleBlock& block, const ShearedRay& axes,
-                            const GlanceRay& ray, float t_max) {
-    constexpr int lanes = triangles_per_block;
-    const auto& [a, b, c] = block.v;
-    const float room = 1 + 2 * gamma_bound(3);
-    std::uint32_t maybe = 0;
-    for (int k = 0; k < lanes; ++k) {
-        const float az = a[axes.kz][k] - ray.oz, bz = b[axes.kz][k] - ray.oz,
-                    cz = c[axes.kz][k] - ray.oz;
-        const float ax = a[axes.kx][k] - ray.ox - ray.sx * az,
-                    ay = a[axes.ky][k] - ray.oy - ray.sy * az,
-                    bx = b[axes.kx][k] - ray.ox - ray.sx * bz,
-                    by = b[axes.ky][k] - ray.oy - ray.sy * bz,
-                    cx = c[axes.kx][k] - ray.ox - ray.sx * cz,
-                    cy = c[axes.ky][k] - ray.oy - ray.sy * cz;
-        const auto larger = [](float x, float y) { return x > y ? x : y; };
-        const auto smaller = [](float x, float y) { return x < y ? x : y; };
-        const float aw = fabsf(ax) + fabsf(ay), bw = fabsf(bx) + fabsf(by),
-                    cw = fabsf(cx) + fabsf(cy);
-        const float width = larger(larger(aw, bw), cw);
-        const float depth = larger(larger(fabsf(az), fabsf(bz)), fabsf(cz));
-        const float margin = 0x1p-20f * width * (width + depth);
+// What a glance saw: a bit for each lane.
+struct TriangleGlance {
+    std::uint32_t maybe = 0; // the ray may meet the lane's triangle, for a t within [begin, end]
+    std::uint32_t sure = 0;  // it passes inside of it for certain
+    float begin[triangles_per_block], end[triangles_per_block];
+};
 
-        const float e0 = ax * by - ay * bx, e1 = bx * cy - by * cx, e2 = cx * ay - cy * ax;
-        const float least = smaller(smaller(e0, e1), e2), most = larger(larger(e0, e1), e2);
-        const float ta = az * ray.inv_dz, tb = bz * ray.inv_dz, tc = cz * ray.inv_dz;
-        const float begin = smaller(smaller(ta, tb), tc), end = larger(larger(ta, tb), tc);
-        const bool met = ((least >= -margin) | (most <= margin)) & (end >= 0) &
-                         (begin <= t_max * room) & (block.index[k] >= 0);
-        maybe |= std::uint32_t(met) << k;
+// Where may `ray` meet the triangles of the block in (0, t_max]?
+//
+// With size = |x| + |y| + |z| of a corner in ray space, x and y are off by less than 5 u size (the
+// subtractions, the slope with its two roundings, its product), an edge function e of two corners
+// by less than 13 u width size, where width = |x| + |y|: margin = 16 u width size bounds that, and
+// what double leaves open besides. On the triangle the depth
+//     z = (e_bc a.z + e_ca b.z + e_ab c.z) / (e_bc + e_ca + e_ab)
+// lies between those of the corners; inside, where the edge functions have the same sign, it is
+// off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A NaN drops its
+// triangle, which is never hit.
+HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, float t_max) {
+    const auto larger = [](float x, float y) { return x > y ? x : y; };
+    const auto smaller = [](float x, float y) { return x < y ? x : y; };
+    constexpr float u = unit_roundoff;
+    const auto& [a, b, c] = block.v;
+    TriangleGlance seen;
+    for (int k = 0; k < triangles_per_block; ++k) {
+        const float az = a[ray.kz][k] - ray.oz, bz = b[ray.kz][k] - ray.oz,
+                    cz = c[ray.kz][k] - ray.oz;
+        const float ax = a[ray.kx][k] - ray.ox - ray.sx * az,
+                    ay = a[ray.ky][k] - ray.oy - ray.sy * az,
+                    bx = b[ray.kx][k] - ray.ox - ray.sx * bz,
+                    by = b[ray.ky][k] - ray.oy - ray.sy * bz,
+                    cx = c[ray.kx][k] - ray.ox - ray.sx * cz,
+                    cy = c[ray.ky][k] - ray.oy - ray.sy * cz;
+        const float width =
+            larger(larger(fabsf(ax) + fabsf(ay), fabsf(bx) + fabsf(by)), fabsf(cx) + fabsf(cy));
+        const float depth = larger(larger(fabsf(az), fabsf(bz)), fabsf(cz));
+        const float margin = 16 * u * width * (width + depth);
+
+        const float ab = ax * by - ay * bx, bc = bx * cy - by * cx, ca = cx * ay - cy * ax;
+        const float least = smaller(smaller(ab, bc), ca), most = larger(larger(ab, bc), ca);
+        const bool inside = (least > margin) | (most < -margin);
+
+        const float first = smaller(smaller(az, bz), cz), last = larger(larger(az, bz), cz);
+        const float area = ab + bc + ca, inv_area = 1 / area;
+        const float z = (bc * az + ca * bz + ab * cz) * inv_area;
+        const float z_error = 4 * margin * (last - first) * fabsf(inv_area) + 12 * u * depth;
+        const float from = inside ? z - z_error : first - 2 * u * depth;
+        const float to = inside ? z + z_error : last + 2 * u * depth;
+        // Along a negative axis the far end of the depths comes first.
+        const float t0 = from * ray.inv_dz, t1 = to * ray.inv_dz;
+        const float begin = smaller(t0, t1) * (1 - 4 * u), end = larger(t0, t1) * (1 + 4 * u);
+
+        const bool met = ((least >= -margin) | (most <= margin)) & (end >= 0) & (begin <= t_max) &
+                         (block.index[k] >= 0);
+        seen.maybe |= std::uint32_t(met) << k;
+        seen.sure |= std::uint32_t(inside) << k;
+        seen.begin[k] = begin;
+        seen.end[k] = end;
     }
-    return maybe;
+    return seen;
+}
+
+// The corners in a lane, without what else belongs to a triangle.
+HD Triangle corners_in(const TriangleBlock& block, int lane) {
+    Triangle triangle{};
+    for (int corner = 0; corner < 3; ++corner)
+        triangle.v[corner] = {block.v[corner][0][lane], block.v[corner][1][lane],
+                              block.v[corner][2][lane]};
+    return triangle;
 }
 
 } // namespace raylab::lab04

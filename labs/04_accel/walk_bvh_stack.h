@@ -23,14 +23,15 @@ template <class Query> HD void walk_bvh_stack(const BvhView& bvh, Query& query) 
             if (!query.step()) return;
             const BvhNode& node = bvh.nodes[child];
             const PairCrossing pair = cross(node, query.slab, query.reach());
-            if (pair.met0 & pair.met1) {
-                const int first = pair.near1 < pair.near0;
-                stack[size++] = {node.child[1 - first], larger(pair.near0, pair.near1)};
-                child = node.child[first];
+            const bool swap = query.slab.negative[node.axis];
+            const bool near = swap ? pair.met1 : pair.met0, far = swap ? pair.met0 : pair.met1;
+            if (near) {
+                if (far) stack[size++] = {node.child[1 - swap], swap ? pair.near0 : pair.near1};
+                child = node.child[swap];
                 continue;
             }
-            if (pair.met0 | pair.met1) {
-                child = node.child[pair.met1];
+            if (far) {
+                child = node.child[1 - swap];
                 continue;
             }
         }

@@ -27,26 +27,34 @@ struct Trail {
 
 template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query) {
     if (bvh.nodes.size == 0) return;
-    const WideRay ray(query.ray(), bvh.extent);
+    const WideRay ray(query.ray(), query.slab.inv_d, bvh.extent);
+    const float whole = query.reach();
     Trail trail;
     const WideNode* node = &bvh.nodes[0];
-    std::uint32_t left = node->inner | node->leaf; // of this node, to be visited
+    std::uint32_t left = wide_slots(*node); // slots of this node, still to be visited
+    bool fresh = true;                      // the walk has come from above
     while (true) {
+        if (fresh || (Query::reach_shrinks && query.reach() < whole)) {
+            if (!query.step()) return;
+            left &= crossed(*node, ray, query.reach());
+        }
+        fresh = false;
+        if (left != 0) {
+            const int slot = first_in_order(left, node->order[ray.octant]);
+            left &= ~(1u << slot);
+            if (node->leaf >> slot & 1) {
+                if (query.visit(block_in(*node, slot))) return;
+            } else {
+                trail.push(left);
+                node = &bvh.nodes[child_in(*node, slot)];
+                left = wide_slots(*node);
+                fresh = true;
+            }
+        }
         while (left == 0) {
             if (node->parent < 0) return;
             node = &bvh.nodes[node->parent];
             left = trail.pop();
-        }
-        if (!query.step()) return;
-        const WideCrossing crossing = crossed(*node, ray, query.reach(), left);
-        left = crossing.slots & ~(1u << crossing.first);
-        if (crossing.slots == 0) continue;
-        if (node->leaf >> crossing.first & 1) {
-            if (query.visit(block_in(*node, crossing.first))) return;
-        } else {
-            trail.push(left);
-            node = &bvh.nodes[child_in(*node, crossing.first)];
-            left = node->inner | node->leaf;
         }
     }
 }

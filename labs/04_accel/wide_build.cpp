@@ -1,4 +1,6 @@
-// From two children a node to eight: Ylitie, Karras and Laine 2017, section 3.
+// From two children a node to eight: which descendants of a binary node become the children of a
+// wide one? Those for which a ray pays least, found from the leaves up by dynamic programming.
+// Ylitie, Karras and Laine 2017, section 3.
 #include "labs/04_accel/wide_tree.h"
 
 #include "labs/04_accel/build_items.h"
@@ -10,6 +12,16 @@
 namespace raylab::lab04 {
 namespace {
 
+constexpr double node_cost = 1, block_cost = 0.8; // of a visit
+
+// What a binary subtree costs at best if it hangs in its parent as at most i + 1 children: a leaf
+// or a node (i = 0), or a forest of several.
+struct Forest {
+    std::array<double, wide_children - 1> cost;
+    std::array<std::uint8_t, wide_children> from_left; // of i + 1 children, i = 7: of a node
+    int height;                                        // binary nodes from here to the deepest one
+};
+
 struct Candidate {
     int child; // of the binary tree
     Bounds box;
@@ -18,7 +30,7 @@ struct Candidate {
 struct Collapse {
     const BvhTree& from;
     WideTree tree;
-    std::vector<int> height; // of each binary node: levels of nodes below it, itself included
+    std::vector<Forest> forest; // of each binary node
 
     Candidate child_of(int node, int k) const {
         const BvhNode& n = from.nodes[node];
@@ -30,62 +42,98 @@ struct Collapse {
         return c;
     }
 
-    int height_of(const Candidate& c) const { return is_leaf(c.child) ? 0 : height[c.child]; }
-
-    // Up to eight descendants of a binary node: the one whose box has the largest area is replaced
-    // by its children, again and again. A chain so long that the levels might not suffice is
-    // shortened first: three binary levels fit into one.
-    std::vector<Candidate> descendants(int node, int level) const {
-        std::vector<Candidate> found = {child_of(node, 0), child_of(node, 1)};
-        std::erase_if(found, [](const Candidate& c) { return c.child == no_child; });
-        const int allowed = 3 * (max_wide_levels - level - 1); // height below this node
-        while (found.size() < wide_children) {
-            const auto urgency = [&](const Candidate& c) {
-                if (is_leaf(c.child)) return -1.0;
-                return height_of(c) > allowed ? double(infinity) : half_area(c.box);
-            };
-            const auto best = std::max_element(
-                found.begin(), found.end(),
-                [&](const Candidate& a, const Candidate& b) { return urgency(a) < urgency(b); });
-            if (is_leaf(best->child)) break;
-            const int opened = best->child;
-            *best = child_of(opened, 0);
-            found.push_back(child_of(opened, 1));
-        }
-        return found;
+    int height_of(const Candidate& c) const {
+        return is_leaf(c.child) ? 0 : forest[c.child].height;
     }
 
-    // Which child goes to which slot: the pair of child and direction that agree best is settled
-    // first.
-    static std::array<int, wide_children> slots_for(const std::vector<Candidate>& children,
-                                                    const Bounds& box) {
-        std::array<int, wide_children> slot_child;
-        slot_child.fill(-1);
-        std::vector<bool> placed(children.size(), false);
-        const Vec3 middle = 0.5f * box.low + 0.5f * box.high;
-        for (std::size_t round = 0; round < children.size(); ++round) {
-            float best = -infinity;
-            int best_slot = 0, best_child = 0;
-            for (std::size_t c = 0; c < children.size(); ++c) {
-                if (placed[c]) continue;
-                const Vec3 from_middle =
-                    0.5f * children[c].box.low + 0.5f * children[c].box.high - middle;
-                for (int slot = 0; slot < wide_children; ++slot) {
-                    if (slot_child[slot] >= 0) continue;
-                    float agreement = 0;
-                    for (int axis = 0; axis < 3; ++axis)
-                        agreement += (slot >> axis & 1 ? 1 : -1) * (&from_middle.x)[axis];
-                    if (agreement > best) {
-                        best = agreement;
-                        best_slot = slot;
-                        best_child = static_cast<int>(c);
+    double cost(const Candidate& c, int children) const {
+        if (c.child == no_child) return 0;
+        return is_leaf(c.child) ? half_area(c.box) * block_cost
+                                : forest[c.child].cost[children - 1];
+    }
+
+    // From the leaves up: the cheapest way to share out n places among two subtrees.
+    void plan() {
+        forest.resize(from.nodes.size());
+        for (int i = static_cast<int>(from.nodes.size()) - 1; i >= 0; --i) { // children come later
+            const Candidate left = child_of(i, 0), right = child_of(i, 1);
+            Bounds box = left.box;
+            box.include(right.box);
+            Forest& plan = forest[i];
+            plan.height = 1 + std::max(height_of(left), height_of(right));
+            double shared[wide_children + 1];
+            for (int n = 2; n <= wide_children; ++n) {
+                shared[n] = infinity;
+                for (int k = 1; k < n; ++k) {
+                    const double c = cost(left, k) + cost(right, n - k);
+                    if (c < shared[n]) {
+                        shared[n] = c;
+                        plan.from_left[n - 1] = static_cast<std::uint8_t>(k);
                     }
                 }
             }
-            slot_child[best_slot] = best_child;
-            placed[best_child] = true;
+            plan.cost[0] = half_area(box) * node_cost + shared[wide_children];
+            plan.from_left[0] = 0;
+            for (int n = 2; n < wide_children; ++n) {
+                plan.cost[n - 1] = shared[n];
+                if (plan.cost[n - 2] <= shared[n])
+                    plan.cost[n - 1] = plan.cost[n - 2]; // fewer will do
+            }
         }
-        return slot_child;
+    }
+
+    // How a node's children are chosen: by the plan, or, where a chain of nodes might need more
+    // levels than there are, evenly: three binary levels are one wide one.
+    enum class Choice { planned, even };
+
+    // The children that a subtree with this many places is made into, from near to far for rays of
+    // the octant: at each binary node the lower child comes first, unless they go down the axis.
+    void gather(const Candidate& c, int places, Choice choice, int octant,
+                std::vector<Candidate>& found) const {
+        if (c.child == no_child) return;
+        if (!is_leaf(c.child)) {
+            const auto& cost = forest[c.child].cost;
+            while (choice == Choice::planned && places > 1 && cost[places - 2] <= cost[places - 1])
+                --places; // fewer will do
+            if (places > 1) return gather_both(c.child, places, choice, octant, found);
+        }
+        found.push_back(c);
+    }
+
+    void gather_both(int node, int places, Choice choice, int octant,
+                     std::vector<Candidate>& found) const {
+        const int left = choice == Choice::even ? places / 2 : forest[node].from_left[places - 1];
+        const int first = octant >> from.nodes[node].axis & 1;
+        for (const int k : {first, 1 - first})
+            gather(child_of(node, k), k == 0 ? left : places - left, choice, octant, found);
+    }
+
+    std::vector<Candidate> children_of(int node, Choice choice, int octant) const {
+        std::vector<Candidate> found;
+        gather_both(node, wide_children, choice, octant, found);
+        return found;
+    }
+
+    // By induction no subtree in level k is higher than 3 (max_wide_levels - k) binary levels.
+    Choice choose(int node, int level) const {
+        const int allowed = 3 * (max_wide_levels - level - 1);
+        for (const Candidate& c : children_of(node, Choice::planned, 0))
+            if (!is_leaf(c.child) && forest[c.child].height > allowed) return Choice::even;
+        return Choice::planned;
+    }
+
+    // The slots of the children (in the order of octant 0) in the order of another octant.
+    std::uint32_t order_of(int node, Choice choice, int octant,
+                           const std::vector<Candidate>& children) const {
+        std::uint32_t order = 0;
+        int place = 0;
+        for (const Candidate& c : children_of(node, choice, octant)) {
+            const auto same = [&](const Candidate& other) { return other.child == c.child; };
+            const auto slot =
+                std::find_if(children.begin(), children.end(), same) - children.begin();
+            order |= static_cast<std::uint32_t>(slot) << 3 * place++;
+        }
+        return order;
     }
 
     // One step for all axes: a box is long on one of them, and there a step is a thousandth of it.
@@ -115,9 +163,12 @@ struct Collapse {
         node.face[1][slot] = q[1][0] | q[1][1] << face_bits | q[2][1] << 2 * face_bits;
     }
 
+    static_assert(3 * max_wide_levels >= max_bvh_depth);
+
     void fill(int self, int binary, int parent, int level) {
         tree.levels = std::max(tree.levels, level + 1);
-        const std::vector<Candidate> children = descendants(binary, level);
+        const Choice choice = choose(binary, level);
+        const std::vector<Candidate> children = children_of(binary, choice, 0);
         Bounds box;
         for (const Candidate& c : children) box.include(c.box);
         for (int axis = 0; axis < 3; ++axis)
@@ -129,12 +180,12 @@ struct Collapse {
         node.parent = parent;
         node.first_child = static_cast<int>(tree.nodes.size());
         node.first_block = static_cast<int>(tree.blocks.size());
-        const auto slot_child = slots_for(children, box);
+        for (int octant = 0; octant < 8; ++octant)
+            node.order[octant] = order_of(binary, choice, octant, children);
         std::vector<int> inner;
-        for (int slot = 0; slot < wide_children; ++slot) {
-            if (slot_child[slot] < 0) continue;
-            const Candidate& c = children[slot_child[slot]];
-            set_faces(node, slot, c.box);
+        for (std::size_t slot = 0; slot < children.size(); ++slot) {
+            const Candidate& c = children[slot];
+            set_faces(node, static_cast<int>(slot), c.box);
             if (is_leaf(c.child)) {
                 node.leaf |= 1 << slot;
                 tree.blocks.push_back(from.blocks[~c.child]);
@@ -148,13 +199,6 @@ struct Collapse {
         for (std::size_t i = 0; i < inner.size(); ++i)
             fill(node.first_child + static_cast<int>(i), inner[i], self, level + 1);
     }
-
-    void measure_heights() {
-        height.resize(from.nodes.size());
-        for (int i = static_cast<int>(from.nodes.size()) - 1; i >= 0; --i) // children come later
-            for (const int child : from.nodes[i].child)
-                height[i] = std::max(height[i], 1 + (is_leaf(child) ? 0 : height[child]));
-    }
 };
 
 } // namespace
@@ -162,7 +206,7 @@ struct Collapse {
 WideTree build_wide(const BvhTree& tree) {
     if (tree.nodes.empty()) return {};
     Collapse collapse{tree, {}, {}};
-    collapse.measure_heights();
+    collapse.plan();
     collapse.tree.nodes.resize(1);
     collapse.fill(0, 0, -1, 0);
     return std::move(collapse.tree);

@@ -1,0 +1,152 @@
+#include "labs/04_accel/bvh_split.h"
+
+#include "labs/04_accel/triangle_block.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raylab::lab04 {
+namespace {
+
+constexpr int bins = 32;
+
+struct Bin {
+    Bounds box;
+    int starts = 0, ends = 0; // references; a cut between has them start and end in the same bin
+};
+using Bins = std::array<Bin, bins>;
+
+// The slices of [low, high] along an axis.
+struct Slices {
+    float low, high, scale;
+
+    Slices(const Bounds& box, int axis)
+        : low((&box.low.x)[axis]), high((&box.high.x)[axis]),
+          scale(static_cast<float>(bins * (1 - 1e-6) / (double(high) - low))) {}
+
+    int operator()(float x) const {
+        return std::clamp(static_cast<int>((x - low) * scale), 0, bins - 1);
+    }
+    float begin(int slice) const {
+        return static_cast<float>(low + (double(high) - low) * slice / bins);
+    }
+};
+
+bool has_extent(const Bounds& box, int axis) {
+    const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
+    return high > low && std::isfinite(high - low);
+}
+
+double blocks(int triangles) { return (triangles + triangles_per_block - 1) / triangles_per_block; }
+
+Bounds common(const Bounds& a, const Bounds& b) {
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+// The best plane between two of the bins, if it beats `best`.
+void choose_plane(const Bins& bin, int axis, Split& best) {
+    std::array<Bounds, bins> right_box;
+    std::array<int, bins> right_count;
+    Bounds box;
+    int count = 0;
+    for (int i = bins - 1; i > 0; --i) {
+        box.include(bin[i].box);
+        count += bin[i].ends;
+        right_box[i] = box;
+        right_count[i] = count;
+    }
+    box = {};
+    count = 0;
+    for (int plane = 1; plane < bins; ++plane) {
+        box.include(bin[plane - 1].box);
+        count += bin[plane - 1].starts;
+        if (count == 0 || right_count[plane] == 0) continue;
+        const double cost = half_area(box) * blocks(count) +
+                            half_area(right_box[plane]) * blocks(right_count[plane]);
+        if (cost >= best.cost) continue;
+        const Bounds both = common(box, right_box[plane]);
+        const bool apart = glm::any(glm::greaterThan(both.low, both.high));
+        best = {cost, axis, plane, 0, apart ? 0 : half_area(both)};
+    }
+}
+
+} // namespace
+
+Bounds centres_of(std::span<const BuildItem> items) {
+    Bounds centres;
+    for (const BuildItem& item : items)
+        centres.include({item.centre(0), item.centre(1), item.centre(2)});
+    return centres;
+}
+
+Split best_cut_between(std::span<const BuildItem> items, const Bounds& centres) {
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!has_extent(centres, axis)) continue;
+        const Slices slice(centres, axis);
+        Bins bin;
+        for (const BuildItem& item : items) {
+            Bin& b = bin[slice(item.centre(axis))];
+            b.box.include(item.box);
+            ++b.starts, ++b.ends;
+        }
+        choose_plane(bin, axis, best);
+    }
+    return best;
+}
+
+std::size_t cut_between(Items items, const Bounds& centres, const Split& split) {
+    const Slices slice(centres, split.axis);
+    const auto middle = std::partition(items.begin(), items.end(), [&](const BuildItem& item) {
+        return slice(item.centre(split.axis)) < split.plane;
+    });
+    return middle - items.begin();
+}
+
+Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
+                       const std::vector<Triangle>& triangles, const KdClip& clip) {
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!has_extent(box, axis)) continue;
+        const Slices slice(box, axis);
+        Bins bin;
+        for (const BuildItem& item : items) {
+            const int first = slice((&item.box.low.x)[axis]),
+                      last = slice((&item.box.high.x)[axis]);
+            ++bin[first].starts;
+            ++bin[last].ends;
+            Bounds rest = item.box, part;
+            for (int i = first; i < last; ++i) {
+                clip.cut(triangles[item.index], rest, axis, slice.begin(i + 1), part, rest);
+                bin[i].box.include(part);
+            }
+            bin[last].box.include(rest);
+        }
+        const double before = best.cost;
+        choose_plane(bin, axis, best);
+        if (best.cost < before) best.position = slice.begin(best.plane);
+    }
+    return best;
+}
+
+void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& triangles,
+                 const KdClip& clip, const Split& split, std::vector<BuildItem>& left,
+                 std::vector<BuildItem>& right) {
+    const auto empty = [](const Bounds& b) { return glm::any(glm::greaterThan(b.low, b.high)); };
+    for (const BuildItem& item : items) {
+        const float low = (&item.box.low.x)[split.axis], high = (&item.box.high.x)[split.axis];
+        if (high <= split.position) {
+            left.push_back(item);
+        } else if (low >= split.position) {
+            right.push_back(item);
+        } else {
+            BuildItem below = item, above = item;
+            clip.cut(triangles[item.index], item.box, split.axis, split.position, below.box,
+                     above.box);
+            if (!empty(below.box)) left.push_back(below);
+            if (!empty(above.box)) right.push_back(above);
+        }
+    }
+}
+
+} // namespace raylab::lab04
