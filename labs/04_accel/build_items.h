@@ -13,7 +13,7 @@ struct BuildItem {
     int index; // in the scene's triangles
 
     // Twice the centre, so that it costs no rounding beyond the sum.
-    float centre(int axis) const { return (&box.low.x)[axis] + (&box.high.x)[axis]; }
+    float centre(int axis) const { return box.low[axis] + box.high[axis]; }
 };
 
 // Half the surface of a box: what the chance of a random ray to cross it is proportional to.

@@ -99,8 +99,8 @@ struct Builder {
         const Child* half[2] = {&left, &right};
         for (int k = 0; k < 2; ++k) {
             for (int a = 0; a < 3; ++a) {
-                node.box[a][0][k] = (&half[k]->box.low.x)[a];
-                node.box[a][1][k] = (&half[k]->box.high.x)[a];
+                node.box[a][0][k] = half[k]->box.low[a];
+                node.box[a][1][k] = half[k]->box.high[a];
             }
             node.child[k] = half[k]->child;
         }

@@ -21,7 +21,7 @@ struct Slices {
     float low, high, scale;
 
     Slices(const Bounds& box, int axis)
-        : low((&box.low.x)[axis]), high((&box.high.x)[axis]),
+        : low(box.low[axis]), high(box.high[axis]),
           scale(static_cast<float>(bins * (1 - 1e-6) / (double(high) - low))) {}
 
     int operator()(float x) const {
@@ -33,7 +33,7 @@ struct Slices {
 };
 
 bool has_extent(const Bounds& box, int axis) {
-    const float low = (&box.low.x)[axis], high = (&box.high.x)[axis];
+    const float low = box.low[axis], high = box.high[axis];
     return high > low && std::isfinite(high - low);
 }
 
@@ -111,8 +111,7 @@ Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
         const Slices slice(box, axis);
         Bins bin;
         for (const BuildItem& item : items) {
-            const int first = slice((&item.box.low.x)[axis]),
-                      last = slice((&item.box.high.x)[axis]);
+            const int first = slice(item.box.low[axis]), last = slice(item.box.high[axis]);
             ++bin[first].starts;
             ++bin[last].ends;
             Bounds rest = item.box, part;
@@ -134,7 +133,7 @@ void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& 
                  std::vector<BuildItem>& right) {
     const auto empty = [](const Bounds& b) { return glm::any(glm::greaterThan(b.low, b.high)); };
     for (const BuildItem& item : items) {
-        const float low = (&item.box.low.x)[split.axis], high = (&item.box.high.x)[split.axis];
+        const float low = item.box.low[split.axis], high = item.box.high[split.axis];
         if (high <= split.position) {
             left.push_back(item);
         } else if (low >= split.position) {

@@ -20,7 +20,7 @@ inline void append_blocks(const std::vector<Triangle>& triangles, std::span<cons
             for (int corner = 0; corner < 3; ++corner)
                 for (int axis = 0; axis < 3; ++axis)
                     block.v[corner][axis][lane] =
-                        filled ? (&triangles[indices[first + lane]].v[corner].x)[axis] : 0.0f;
+                        filled ? triangles[indices[first + lane]].v[corner][axis] : 0.0f;
         }
     }
 }

@@ -36,8 +36,8 @@ struct Collapse {
         const BvhNode& n = from.nodes[node];
         Candidate c{n.child[k], {}};
         for (int a = 0; a < 3; ++a) {
-            (&c.box.low.x)[a] = n.box[a][0][k];
-            (&c.box.high.x)[a] = n.box[a][1][k];
+            c.box.low[a] = n.box[a][0][k];
+            c.box.high[a] = n.box[a][1][k];
         }
         return c;
     }
@@ -141,7 +141,7 @@ struct Collapse {
         node.origin = box.low;
         double extent = 0;
         for (int axis = 0; axis < 3; ++axis)
-            extent = std::max(extent, double((&box.high.x)[axis]) - (&box.low.x)[axis]);
+            extent = std::max(extent, double(box.high[axis]) - box.low[axis]);
         int exponent = -126;
         if (extent > 0)
             std::frexp(extent / last_face, &exponent); // extent / last_face <= 2^exponent
@@ -151,9 +151,9 @@ struct Collapse {
     static void set_faces(WideNode& node, int slot, const Bounds& box) {
         std::uint32_t q[3][2];
         for (int axis = 0; axis < 3; ++axis) {
-            const double origin = (&node.origin.x)[axis];
-            const double low = ((&box.low.x)[axis] - origin) / node.step,
-                         high = ((&box.high.x)[axis] - origin) / node.step;
+            const double origin = node.origin[axis];
+            const double low = (box.low[axis] - origin) / node.step,
+                         high = (box.high[axis] - origin) / node.step;
             q[axis][0] =
                 static_cast<std::uint32_t>(std::clamp<double>(std::floor(low), 0, last_face));
             q[axis][1] =
@@ -172,9 +172,8 @@ struct Collapse {
         Bounds box;
         for (const Candidate& c : children) box.include(c.box);
         for (int axis = 0; axis < 3; ++axis)
-            (&tree.extent.x)[axis] =
-                std::max({(&tree.extent.x)[axis], std::fabs((&box.low.x)[axis]),
-                          std::fabs((&box.high.x)[axis])});
+            tree.extent[axis] =
+                std::max({tree.extent[axis], std::fabs(box.low[axis]), std::fabs(box.high[axis])});
         WideNode node{};
         set_grid(node, box);
         node.parent = parent;

@@ -94,18 +94,18 @@ struct WideRay {
         any_parallel = false;
         octant = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const float d = (&ray.d.x)[axis];
+            const float d = ray.d[axis];
             parallel[axis] = d == 0;
             any_parallel |= parallel[axis];
             // So slow on this axis that it does not bound t: the products below stay finite.
             const bool unbounded = fabsf(d) < 0x1p-40f;
-            float& inv = (&inv_d.x)[axis];
+            float& inv = inv_d[axis];
             if (unbounded) inv = 0;
             negative[axis] = inv < 0;
             octant |= int(negative[axis]) << axis;
-            const float room = 8 * unit_roundoff * (&size.x)[axis] * fabsf(inv);
-            (&near_shift.x)[axis] = (&ray.o.x)[axis] * inv + room;
-            (&far_shift.x)[axis] = unbounded ? -infinity : (&ray.o.x)[axis] * inv - room;
+            const float room = 8 * unit_roundoff * size[axis] * fabsf(inv);
+            near_shift[axis] = ray.o[axis] * inv + room;
+            far_shift[axis] = unbounded ? -infinity : ray.o[axis] * inv - room;
         }
     }
 };
@@ -115,7 +115,7 @@ HD std::uint32_t between_faces(const WideNode& node, const WideRay& ray) {
     std::uint32_t slots = 0xff;
     for (int axis = 0; axis < 3; ++axis) {
         if (!ray.parallel[axis]) continue;
-        const double origin = (&node.origin.x)[axis], o = (&ray.o.x)[axis], step = node.step;
+        const double origin = node.origin[axis], o = ray.o[axis], step = node.step;
         for (int k = 0; k < wide_children; ++k)
             if (origin + grid_face(node, k, axis, 0) * step > o ||
                 origin + grid_face(node, k, axis, 1) * step < o)
