@@ -89,8 +89,11 @@ void Accel::build(const std::vector<Triangle>& triangles) {
     }
     case AccelKind::sah: {
         const BvhTree tree = build_bvh_sah(triangles);
+        if (choice_.walk.walk == WalkKind::skip)
+            keep(lay_skip_links(tree), skip_);
+        else
+            keep(tree.nodes, bvh_);
         built(tree.depth);
-        keep(tree.nodes, bvh_);
         return keep_blocks(tree.blocks);
     }
     case AccelKind::wide: {
@@ -121,6 +124,7 @@ StructureView Accel::view(Array<Triangle> triangles) const {
     StructureView view;
     view.leaves = {array_of(blocks_), triangles};
     view.bvh = {array_of(bvh_)};
+    view.skip = {array_of(skip_)};
     view.wide = {array_of(wide_), wide_extent_};
     view.kd = {kd_bounds_, array_of(kd_), array_of(kd_leaf_of_), array_of(kd_leaves_),
                facts_.triangle_blocks};

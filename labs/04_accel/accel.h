@@ -34,6 +34,7 @@ class Accel {
     StructureFacts facts_;
     DeviceArray<TriangleBlock> blocks_;
     DeviceArray<BvhNode> bvh_;
+    DeviceArray<SkipNode> skip_;
     DeviceArray<WideNode> wide_;
     Vec3 wide_extent_{0};
     DeviceArray<KdNode> kd_;

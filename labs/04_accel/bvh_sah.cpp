@@ -57,7 +57,7 @@ struct Builder {
         tree.depth = std::max(tree.depth, depth);
         if (items.size() <= triangles_per_block) return leaf(items);
         const int self = static_cast<int>(tree.nodes.size());
-        tree.nodes.push_back({.parent = parent});
+        tree.nodes.push_back({{}, {no_child, no_child}, parent, 0});
 
         const Bounds centres = centres_of(items);
         // A tree of medians below may still need this many levels.
@@ -89,7 +89,7 @@ struct Builder {
 
     // A tree of one leaf: a root with nothing on its other side.
     void hang(const Child& leaf) {
-        tree.nodes.push_back({.parent = -1});
+        tree.nodes.push_back({{}, {no_child, no_child}, -1, 0});
         finish(0, 0, leaf, {no_child, {}});
     }
 

@@ -4,16 +4,18 @@
 #include "labs/04_accel/bvh.h"
 #include "labs/04_accel/kd_tree.h"
 #include "labs/04_accel/query.h"
+#include "labs/04_accel/skip_tree.h"
 #include "labs/04_accel/wide_bvh.h"
 
 namespace raylab::lab04 {
 
-// One of the three trees, or none; the others are empty. Whatever the tree, its leaves are numbers
+// One of the trees, or none; the others are empty. Whatever the tree, its leaves are numbers
 // of blocks of triangles.
 struct StructureView {
     Leaves leaves;
     KdView kd;
     BvhView bvh;
+    SkipView skip; // the binary tree once more, in a line
     WideView wide;
 };
 

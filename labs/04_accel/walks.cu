@@ -1,11 +1,16 @@
 // The table of walks. A new one is a type that calls it, and a row.
 #include "labs/04_accel/walks.h"
 
+#include "labs/04_accel/visit_all.h"
+#include "labs/04_accel/walk_bvh_parent.h"
+#include "labs/04_accel/walk_bvh_skip.h"
 #include "labs/04_accel/walk_bvh_stack.h"
+#include "labs/04_accel/walk_bvh_trail.h"
 #include "labs/04_accel/walk_kd_restart.h"
 #include "labs/04_accel/walk_kd_ropes.h"
 #include "labs/04_accel/walk_kd_stack.h"
 #include "labs/04_accel/walk_kernels.h"
+#include "labs/04_accel/walk_wide_stack.h"
 #include "labs/04_accel/walk_wide_trail.h"
 
 namespace raylab::lab04 {
@@ -14,9 +19,8 @@ namespace {
 
 // Brute force: every triangle of the scene.
 struct AllBlocks {
-    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
-        for (int block = 0; block < structure.leaves.blocks.size; ++block)
-            if (query.visit(block)) return;
+    template <class Query> HD static void walk(const StructureView&, Query& query) {
+        visit_all_blocks(query);
     }
 };
 
@@ -40,6 +44,26 @@ struct BvhStack {
         walk_bvh_stack(structure.bvh, query);
     }
 };
+struct BvhTrail {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_trail(structure.bvh, query);
+    }
+};
+struct BvhSkip {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_skip(structure.skip, query);
+    }
+};
+struct BvhParent {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_parent(structure.bvh, query);
+    }
+};
+struct WideStack {
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_wide_stack(structure.wide, query);
+    }
+};
 struct WideTrail {
     template <class Query> HD static void walk(const StructureView& structure, Query& query) {
         walk_wide_trail(structure.wide, query);
@@ -54,7 +78,11 @@ constexpr WalkKernels kernels{walk_closest_kernel<Walk>, walk_any_kernel<Walk>};
 const std::vector<KnownWalk>& known_walks() {
     static const std::vector<KnownWalk> walks = {
         {AccelKind::wide, WalkKind::trail, kernels<WideTrail>},
+        {AccelKind::wide, WalkKind::stack, kernels<WideStack>},
+        {AccelKind::sah, WalkKind::trail, kernels<BvhTrail>},
+        {AccelKind::sah, WalkKind::skip, kernels<BvhSkip>},
         {AccelKind::sah, WalkKind::stack, kernels<BvhStack>},
+        {AccelKind::sah, WalkKind::parent, kernels<BvhParent>},
         {AccelKind::kd, WalkKind::stack, kernels<KdStack>},
         {AccelKind::kd, WalkKind::ropes, kernels<KdRopes>},
         {AccelKind::kd, WalkKind::restart, kernels<KdRestart>},
