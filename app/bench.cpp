@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/judged_scene.h"
 #include "app/output.h"
+#include "app/rare_cases.h"
 #include "common/cli/files.h"
 #include "common/cli/progress.h"
 #include "grader/bench/text.h"
@@ -27,7 +28,7 @@ struct BenchOptions {
     double target = 0.01;
     PeerSettings peer;
     MachineSettings machine;
-    bool json = false;
+    bool json = false, rare_cases = false;
 };
 
 bool wants(const BenchOptions& options, const std::string& peer) {
@@ -58,6 +59,7 @@ void check_options(BenchOptions& options) {
     if (options.labs.empty())
         for (const Lab& lab : labs()) options.labs.push_back(lab.number);
     for (std::string& name : options.labs) name = find_lab(name).number;
+    if (options.rare_cases) find_lab("03");
     if (options.baseline.empty()) options.baseline = options.labs.front();
     for (const Lab& lab : labs())
         if (options.baseline == lab.folder) options.baseline = lab.number;
@@ -149,7 +151,19 @@ std::string command_line(const BenchOptions& options) {
         fmt::format(" --peers {} --baseline {}", joined(options.peers, ","), options.baseline);
     if (!options.size.empty()) command += " --size " + options.size;
     if (!options.against.empty()) command += " --against " + options.against;
+    if (options.rare_cases) command += " --rare-cases";
     return command;
+}
+
+// Where a wavefront gains nothing: the table of `raylab rare-cases`, and rare_cases.json beside
+// bench.json.
+void bench_rare_cases(const BenchOptions& options) {
+    if (!options.json) fmt::print("\nRare cases. {}", rare_case_header());
+    const std::vector<RareCaseRow> rows =
+        measure_rare_cases(options.machine, options.plan.rounds, [&](const RareCaseRow& row) {
+            if (!options.json) fmt::print("{}", to_table(row));
+        });
+    write_file(options.folder + "/rare_cases.json", to_json(rows).dump(2) + "\n");
 }
 
 void print(const Bench& bench, const std::string& folder) {
@@ -185,6 +199,7 @@ ExitCode run_bench(BenchOptions options) try {
                                                nlohmann::ordered_json::error_handler_t::replace));
     else
         print(bench, options.folder);
+    if (options.rare_cases) bench_rare_cases(options);
     for (const SceneResult& scene : bench.scenes)
         for (const Row& row : scene.rows)
             if (row.failure.empty() && !row.agrees) return ExitCode::judged_failed;
@@ -231,13 +246,17 @@ Run add_bench(CLI::App& app) {
         ->capture_default_str();
     app.add_option("-o,--output", options->folder, "folder for bench.html, bench.json, bench.csv")
         ->capture_default_str();
+    app.add_flag("--rare-cases", options->rare_cases,
+                 "also where a wavefront gains nothing: labs 02 and 03 as in `raylab rare-cases`, "
+                 "and rare_cases.json in the folder");
     app.add_flag("--json", options->json, "print bench.json instead of the tables");
     add_machine_options(app, options->machine);
     app.footer("Examples:\n"
                "  raylab bench\n"
                "  raylab bench cornell_peers --size 512x512 --baseline cycles --spp 8,32\n"
                "  raylab bench cornell --peers none --labs 01,02 --repeats 9 -o out/today\n"
-               "  raylab bench cornell --peers none --against out/yesterday/bench.json");
+               "  raylab bench cornell --peers none --against out/yesterday/bench.json\n"
+               "  raylab bench cornell --peers none --labs 02,03 --rare-cases");
     return [options] { return run_bench(*options); };
 }
 

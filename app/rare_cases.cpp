@@ -1,5 +1,6 @@
 #include "app/rare_cases.h"
 
+#include "common/cli/progress.h"
 #include "common/scene/load.h"
 
 #include <fmt/format.h>
@@ -8,8 +9,20 @@
 
 namespace raylab::app {
 
-const std::vector<RareCase>& rare_cases() {
-    static const std::vector<RareCase> cases = {
+using nlohmann::ordered_json;
+
+namespace {
+
+struct RareCase {
+    const char* name;
+    const char* scene; // bundled
+    WavefrontSettings wavefront;
+    const char* why;
+};
+
+// The usual case first, to compare with.
+std::vector<RareCase> rare_cases() {
+    return {
         {"it gains", "cornell", {}, "rays end in every bounce: the usual case"},
         {"no ray ends",
          "no_ray_ends",
@@ -36,10 +49,7 @@ const std::vector<RareCase>& rare_cases() {
          {.sort = MaterialSort::on},
          "sorting by material costs its passes and changes nothing"},
     };
-    return cases;
 }
-
-namespace {
 
 // One of the three that take turns, and its times.
 struct Contestant {
@@ -51,12 +61,19 @@ struct Contestant {
         seconds.push_back((renderer->ledger().seconds - before) / iterations);
         return seconds.back();
     }
+    // Of all but the first, which warms up.
     double median() const {
-        std::vector<double> sorted = seconds;
+        std::vector<double> sorted(seconds.begin() + 1, seconds.end());
         std::sort(sorted.begin(), sorted.end());
         return sorted[sorted.size() / 2];
     }
 };
+
+// Students' trees have one lab each.
+bool has_megakernel() {
+    return std::any_of(labs().begin(), labs().end(),
+                       [](const Lab& lab) { return lab.number == "02"; });
+}
 
 WavefrontCosts costs_of(const Contestant& contestant) {
     const Ledger ledger = contestant.renderer->ledger();
@@ -82,7 +99,7 @@ WavefrontCosts costs_of(const Contestant& contestant) {
     return costs;
 }
 
-nlohmann::ordered_json to_json(const WavefrontCosts& costs) {
+ordered_json to_json(const WavefrontCosts& costs) {
     return {{"seconds", costs.seconds},
             {"iterations", costs.iterations},
             {"launches", costs.launches},
@@ -93,8 +110,6 @@ nlohmann::ordered_json to_json(const WavefrontCosts& costs) {
             {"share_between_launches", costs.between}};
 }
 
-} // namespace
-
 RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int rounds) {
     const Scene scene = load_scene(find_scene(shown.scene));
     MachineSettings off = machine, on = machine;
@@ -102,22 +117,51 @@ RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int r
     off.wavefront.compact_every = 0;
     off.wavefront.sort = MaterialSort::off;
     off.wavefront.regenerate = false;
-    Contestant megakernel{find_lab("02").make(scene, machine)};
     Contestant without{find_lab("03").make(scene, off)}, with{find_lab("03").make(scene, on)};
-    // Enough iterations a round that it takes some hundredths of a second.
-    const int iterations = std::clamp(static_cast<int>(0.05 / megakernel.time(1)), 1, 64);
-    megakernel.seconds.clear();
+    std::optional<Contestant> megakernel;
+    if (has_megakernel()) megakernel = {find_lab("02").make(scene, machine)};
+    // One to warm up, then enough a round that it takes some hundredths of a second.
+    if (megakernel) megakernel->time(1);
+    with.time(1);
+    const int iterations = std::clamp(static_cast<int>(0.05 / without.time(1)), 1, 64);
     for (int round = 0; round < rounds; ++round) {
-        megakernel.time(iterations);
+        if (megakernel) megakernel->time(iterations);
         without.time(iterations);
         with.time(iterations);
     }
-    return {&shown,
-            scene.camera.width,
-            scene.camera.height,
-            megakernel.median(),
-            costs_of(without),
-            costs_of(with)};
+    return {shown.name,          shown.scene,
+            shown.why,           scene.camera.width,
+            scene.camera.height, megakernel ? std::optional(megakernel->median()) : std::nullopt,
+            costs_of(without),   costs_of(with)};
+}
+
+ordered_json to_json(const RareCaseRow& row) {
+    const ordered_json megakernel =
+        row.megakernel ? ordered_json{{"seconds", *row.megakernel}} : ordered_json(nullptr);
+    return {{"case", row.name},
+            {"scene", row.scene},
+            {"why", row.why},
+            {"width", row.width},
+            {"height", row.height},
+            {"megakernel", megakernel},
+            {"without", to_json(row.without)},
+            {"with", to_json(row.with)}};
+}
+
+} // namespace
+
+std::vector<RareCaseRow> measure_rare_cases(const MachineSettings& machine, int rounds,
+                                            const std::function<void(const RareCaseRow&)>& show) {
+    const std::vector<RareCase> cases = rare_cases();
+    Progress progress("rare cases", static_cast<int>(cases.size()), "cases", 1);
+    std::vector<RareCaseRow> rows;
+    for (const RareCase& rare : cases) {
+        rows.push_back(measure(rare, machine, rounds));
+        progress.clear();
+        show(rows.back());
+        progress.update(static_cast<int>(rows.size()));
+    }
+    return rows;
 }
 
 std::string rare_case_header() {
@@ -129,28 +173,28 @@ std::string rare_case_header() {
 }
 
 std::string to_table(const RareCaseRow& row) {
+    const auto ratio = [&](double seconds) {
+        return row.megakernel ? fmt::format("{:.2f}", seconds / *row.megakernel) : "-";
+    };
     const auto line = [&](const char* name, const WavefrontCosts& c) {
-        return fmt::format("  {:20} {:9.3f} {:7.2f} {:6.0f} {:9.0f} {:8.0f} {:8.0f} {:8.0f} "
+        return fmt::format("  {:20} {:9.3f} {:>7} {:6.0f} {:9.0f} {:8.0f} {:8.0f} {:8.0f} "
                            "{:7.1f} % {:7.1f} %\n",
-                           name, 1e3 * c.seconds, c.seconds / row.megakernel, c.iterations,
+                           name, 1e3 * c.seconds, ratio(c.seconds), c.iterations,
                            c.rays / c.iterations, c.blocks, c.batches, c.launches, 100 * c.removing,
                            100 * c.between);
     };
-    return fmt::format("{}: {}, {} x {}. {}\n  {:20} {:9.3f} {:7.2f}\n", row.shown->name,
-                       row.shown->scene, row.width, row.height, row.shown->why, "megakernel",
-                       1e3 * row.megakernel, 1.0) +
-           line("without compaction", row.without) + line("with it", row.with);
+    std::string text =
+        fmt::format("{}: {}, {} x {}. {}\n", row.name, row.scene, row.width, row.height, row.why);
+    if (row.megakernel)
+        text += fmt::format("  {:20} {:9.3f} {:>7}\n", "megakernel", 1e3 * *row.megakernel,
+                            ratio(*row.megakernel));
+    return text + line("without compaction", row.without) + line("with it", row.with);
 }
 
-nlohmann::ordered_json to_json(const RareCaseRow& row) {
-    return {{"case", row.shown->name},
-            {"scene", row.shown->scene},
-            {"why", row.shown->why},
-            {"width", row.width},
-            {"height", row.height},
-            {"megakernel", {{"seconds", row.megakernel}}},
-            {"without", to_json(row.without)},
-            {"with", to_json(row.with)}};
+ordered_json to_json(const std::vector<RareCaseRow>& rows) {
+    ordered_json json = ordered_json::array();
+    for (const RareCaseRow& row : rows) json.push_back(to_json(row));
+    return json;
 }
 
 } // namespace raylab::app

@@ -8,20 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raylab::app {
-
-struct RareCase {
-    const char* name;
-    const char* scene; // bundled
-    WavefrontSettings wavefront;
-    const char* why;
-};
-
-// The usual case first, to compare with.
-const std::vector<RareCase>& rare_cases();
 
 // What a wavefront did, a sample of the whole image.
 struct WavefrontCosts {
@@ -32,19 +23,21 @@ struct WavefrontCosts {
 };
 
 struct RareCaseRow {
-    const RareCase* shown;
+    std::string name, scene, why;
     int width, height;
-    double megakernel; // seconds a sample: lab 02
+    std::optional<double> megakernel; // seconds a sample: lab 02, if this tree has it
     WavefrontCosts without, with;
 };
 
-// Labs 02 and 03 take turns, `rounds` times.
-RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int rounds);
+// Lab 02 and the two wavefronts take turns, `rounds` times, case by case; `show` gets each row when
+// it is there. Throws UsageError in a tree without lab 03.
+std::vector<RareCaseRow> measure_rare_cases(const MachineSettings& machine, int rounds,
+                                            const std::function<void(const RareCaseRow&)>& show);
 
 // For people: the header, and the lines of one case.
 std::string rare_case_header();
 std::string to_table(const RareCaseRow& row);
 
-nlohmann::ordered_json to_json(const RareCaseRow& row);
+nlohmann::ordered_json to_json(const std::vector<RareCaseRow>& rows);
 
 } // namespace raylab::app

@@ -1,7 +1,6 @@
 // raylab rare-cases: where a wavefront gains nothing, measured.
 #include "app/commands.h"
 #include "app/rare_cases.h"
-#include "common/cli/progress.h"
 
 #include <fmt/format.h>
 
@@ -16,20 +15,12 @@ struct RareCaseOptions {
 };
 
 ExitCode run_rare_cases(const RareCaseOptions& options) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
     if (!options.json) fmt::print("{}", rare_case_header());
-    Progress progress("rare cases", static_cast<int>(rare_cases().size()), "cases", 1);
-    int done = 0;
-    for (const RareCase& rare : rare_cases()) {
-        const RareCaseRow row = measure(rare, options.machine, options.rounds);
-        progress.clear();
-        if (options.json)
-            json.push_back(to_json(row));
-        else
-            fmt::print("{}", to_table(row));
-        progress.update(++done);
-    }
-    if (options.json) fmt::print("{}\n", json.dump(2));
+    const std::vector<RareCaseRow> rows =
+        measure_rare_cases(options.machine, options.rounds, [&](const RareCaseRow& row) {
+            if (!options.json) fmt::print("{}", to_table(row));
+        });
+    if (options.json) fmt::print("{}\n", to_json(rows).dump(2));
     return ExitCode::success;
 }
 
