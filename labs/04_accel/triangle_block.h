@@ -57,12 +57,14 @@ struct TriangleGlance {
 // what double leaves open besides. On the triangle the depth
 //     z = (e_bc a.z + e_ca b.z + e_ab c.z) / (e_bc + e_ca + e_ab)
 // lies between those of the corners; inside, where the edge functions have the same sign, it is
-// off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A NaN drops its
-// triangle, which is never hit.
+// off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A comparison that
+// a NaN makes false leaves the triangle in, and the interval of a triangle that is not surely
+// passed inside is that of its corners.
 HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, float t_max) {
     const auto larger = [](float x, float y) { return x > y ? x : y; };
     const auto smaller = [](float x, float y) { return x < y ? x : y; };
-    constexpr float u = unit_roundoff;
+    // Below the normal numbers a product is off by 2^-150, whatever its size.
+    constexpr float u = unit_roundoff, underflow = 0x1p-140f;
     const auto& [a, b, c] = block.v;
     TriangleGlance seen;
     for (int k = 0; k < triangles_per_block; ++k) {
@@ -77,15 +79,15 @@ HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, f
         const float width =
             larger(larger(fabsf(ax) + fabsf(ay), fabsf(bx) + fabsf(by)), fabsf(cx) + fabsf(cy));
         const float depth = larger(larger(fabsf(az), fabsf(bz)), fabsf(cz));
-        const float margin = 16 * u * width * (width + depth);
+        const float margin = 16 * u * width * (width + depth) + underflow;
 
         const float ab = ax * by - ay * bx, bc = bx * cy - by * cx, ca = cx * ay - cy * ax;
         const float least = smaller(smaller(ab, bc), ca), most = larger(larger(ab, bc), ca);
-        const bool inside = (least > margin) | (most < -margin);
+        const float area = ab + bc + ca, inv_area = 1 / area;
+        const bool inside = ((least > margin) | (most < -margin)) & (fabsf(area) > 0x1p-100f);
 
         const float first = smaller(smaller(az, bz), cz), last = larger(larger(az, bz), cz);
-        const float area = ab + bc + ca, inv_area = 1 / area;
-        const float z = (bc * az + ca * bz + ab * cz) * inv_area;
+        const float z = bc * inv_area * az + ca * inv_area * bz + ab * inv_area * cz;
         const float z_error = 4 * margin * (last - first) * fabsf(inv_area) + 12 * u * depth;
         const float from = inside ? z - z_error : first - 2 * u * depth;
         const float to = inside ? z + z_error : last + 2 * u * depth;
@@ -93,9 +95,9 @@ HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, f
         const float t0 = from * ray.inv_dz, t1 = to * ray.inv_dz;
         const float begin = smaller(t0, t1) * (1 - 4 * u), end = larger(t0, t1) * (1 + 4 * u);
 
-        const bool met = ((least >= -margin) | (most <= margin)) & (end >= 0) & (begin <= t_max) &
-                         (block.index[k] >= 0);
-        seen.maybe |= std::uint32_t(met) << k;
+        const bool missed = ((least < -margin) & (most > margin)) | (end < 0) | (begin > t_max) |
+                            (block.index[k] < 0);
+        seen.maybe |= std::uint32_t(!missed) << k;
         seen.sure |= std::uint32_t(inside) << k;
         seen.begin[k] = begin;
         seen.end[k] = end;
