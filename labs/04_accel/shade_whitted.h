@@ -13,14 +13,28 @@
 
 namespace raylab::lab04 {
 
+// What was hit is made of this.
+template <Features F> HD const Material& material_at(const SceneView& scene, const Hit& hit) {
+    int material = 0;
+    if constexpr (F & feature::sphere)
+        if (hit.shape == Shape::sphere) material = scene.spheres[hit.index].tags.material;
+    if constexpr (F & feature::quad)
+        if (hit.shape == Shape::quad) material = scene.quads[hit.index].tags.material;
+    if constexpr (F & feature::plane)
+        if (hit.shape == Shape::plane) material = scene.planes[hit.index].tags.material;
+    if constexpr (F & feature::triangle)
+        if (hit.shape == Shape::triangle) material = scene.triangles[hit.index].tags.material;
+    return scene.materials[material];
+}
+
 // Sends the feeler to one of the lights. Returns whether there is one to be traced.
 template <Features F> HD bool send_whitted_feeler(const Wave& wave, int slot, int light) {
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;
+    const Material& material = material_at<F>(scene, pool.hit[slot]);
+    if (pool.bounce[slot] + 1 == wave.settings.max_depth || is_specular<F>(material)) return false;
     const Ray ray = ray_of(pool, slot);
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
-    const Material& material = scene.materials[surface.material];
-    if (pool.bounce[slot] + 1 == wave.settings.max_depth || is_specular<F>(material)) return false;
     const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
     const Vec2 u = sampler_of(wave, slot).get_2d(feeler_dimension(pool.node[slot], light));
     const Feeler feeler =

@@ -182,7 +182,7 @@ TEST(Accel, ItsBytesCountAgainstTheBudget) {
     const std::string text = message_of<SettingsError>([] {
         Scene scene = two_groups(0);
         scene.triangles.assign(100000, scene.triangles.front());
-        make_renderer(scene, {.wavefront = {.memory_budget = 1 << 20}, .accel = {AccelKind::none}});
+        make_renderer(scene, {.wavefront = {.memory_budget = 8 << 20}, .accel = {AccelKind::none}});
     });
     EXPECT_THAT(text, HasSubstr("the structure over its triangles 3.81 MiB"));
 }
