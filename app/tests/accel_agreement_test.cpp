@@ -47,8 +47,14 @@ TEST_P(EveryStructure, HasTheBitsOfTheIterativeLab) {
 TEST(Structures, AreThere) {
     const std::vector<AccelSettings> walks = all_walks(small("cornell", 8, 1));
     for (const AccelSettings& accel : {AccelSettings{}, AccelSettings{AccelKind::none},
+                                       AccelSettings{AccelKind::kd, WalkKind::stack},
                                        AccelSettings{AccelKind::kd, WalkKind::ropes},
+                                       AccelSettings{AccelKind::kd, WalkKind::restart},
                                        AccelSettings{AccelKind::sah, WalkKind::stack},
+                                       AccelSettings{AccelKind::sah, WalkKind::skip},
+                                       AccelSettings{AccelKind::sah, WalkKind::parent},
+                                       AccelSettings{AccelKind::sah, WalkKind::trail},
+                                       AccelSettings{AccelKind::wide, WalkKind::stack},
                                        AccelSettings{AccelKind::wide, WalkKind::trail}})
         EXPECT_NE(std::find(walks.begin(), walks.end(), accel), walks.end())
             << name_of(accel.accel) << ", " << name_of(accel.walk);

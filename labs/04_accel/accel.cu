@@ -59,13 +59,7 @@ Accel::Accel(const Scene& scene, const AccelSettings& settings)
     facts_.walk =
         choice_.walk.walk == WalkKind::automatic ? "all triangles" : name_of(choice_.walk.walk);
     facts_.why = choice_.why;
-    if (!has_triangles()) return;
-    build(scene.triangles);
-    if (facts_.nodes > 0) return;
-    // Brute force, or triangles so few that they have no tree.
-    choice_.walk.kernels = known_walks().back().kernels;
-    facts_.bytes = 0;
-    keep_blocks(all_blocks(scene.triangles));
+    if (has_triangles()) build(scene.triangles);
 }
 
 void Accel::build(const std::vector<Triangle>& triangles) {
@@ -103,8 +97,11 @@ void Accel::build(const std::vector<Triangle>& triangles) {
         wide_extent_ = tree.extent;
         return keep_blocks(tree.blocks);
     }
-    default:
-        return;
+    default: {
+        const std::vector<TriangleBlock> blocks = all_blocks(triangles);
+        built(0);
+        return keep_blocks(blocks);
+    }
     }
 }
 

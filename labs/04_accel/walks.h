@@ -20,8 +20,7 @@ struct KnownWalk {
     WalkKernels kernels;
 };
 
-// The structures from the fastest to the slowest, and for each its walks, the fastest first;
-// brute force is the last.
+// The structures from the fastest to the slowest, and for each its walks, the fastest first.
 const std::vector<KnownWalk>& known_walks();
 
 } // namespace raylab::lab04
