@@ -24,24 +24,6 @@ void expect_equal_to_brute_force(const std::vector<Triangle>& triangles,
     expect_equal_to_brute_force(KdCase(triangles, deep()), rays, what + ", many planes");
 }
 
-// At corners and along edges of the triangles, from anywhere, and from other corners.
-std::vector<Ray> rays_at_edges(const std::vector<Triangle>& triangles, int n) {
-    Dice dice(3);
-    std::vector<Ray> rays;
-    while (int(rays.size()) < n) {
-        const Triangle& triangle = triangles[dice.below(int(triangles.size()))];
-        const int corner = dice.below(3);
-        const Vec3 a = triangle.v[corner], b = triangle.v[(corner + 1) % 3];
-        const float along[] = {0, 0.5f, dice.between(0, 1)};
-        const Vec3 target = a + along[dice.below(3)] * (b - a);
-        const Vec3 o = dice.below(3) > 0
-                           ? dice.point(-2, 2)
-                           : triangles[dice.below(int(triangles.size()))].v[dice.below(3)];
-        if (dot(target - o, target - o) > 0) rays.push_back({o, normalize(target - o)});
-    }
-    return rays;
-}
-
 // In the faces of the tree's own cells, along and across them, and from and to their corners. No
 // component of d is so small, but 0, that a flat triangle is seen from less than 2^-20 above its
 // plane: there the triangle test itself takes a ray to meet what it passes by (see edge_error()).
@@ -111,15 +93,10 @@ TEST(KdTree, KdPlane) {
 }
 
 TEST(KdTree, TreeDepth) {
-    std::vector<Triangle> same, nested, outlier = hills(40);
-    for (int i = 0; i < 100000; ++i) add(same, {0, 0, 0}, {1, 0, 1}, {0, 1, 0.5f});
-    for (int k = -60; k < 60; ++k) {
-        const float s = std::ldexp(1.0f, k);
-        add(nested, {s, 0, 0}, {0, s, 0}, {0, 0, s});
-    }
+    std::vector<Triangle> same = identical(100000), sizes = nested(), outlier = hills(40);
     add(outlier, {0x1p30f, 0, 0}, {0x1p30f, 1, 0}, {0x1p30f, 0, 1});
     for (const auto& settings : {KdBuildSettings{}, deep()}) {
-        for (const auto* triangles : {&same, &nested, &outlier}) {
+        for (const auto* triangles : {&same, &sizes, &outlier}) {
             const KdTree tree = build_kd_tree(*triangles, settings);
             EXPECT_LE(depth(tree), kd_depth_limit(triangles->size()));
             EXPECT_LE(kd_depth_limit(triangles->size()), kd_max_depth);
@@ -142,7 +119,7 @@ TEST(KdTree, TreeDepth) {
         const Vec3 o = s * dice.point(-2, 2), target = s * dice.point(0, 0.5f);
         rays.push_back({o, normalize(target - o)});
     }
-    expect_equal_to_brute_force(nested, rays, "from 2^-60 to 2^59");
+    expect_equal_to_brute_force(sizes, rays, "from 2^-60 to 2^59");
 }
 
 // The outlier must not cost the rest its tree.

@@ -1,0 +1,250 @@
+// What the tests of walks share: triangles, rays, and brute force to hold every walk to.
+#pragma once
+
+#include "common/geometry/triangle.h"
+#include "common/sampling/hash.h"
+#include "labs/04_accel/query.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace raylab::lab04 {
+
+// Random numbers, the same everywhere.
+class Dice {
+  public:
+    explicit Dice(std::uint32_t seed) : seed_(seed) {}
+
+    int below(int n) { return int(next() % std::uint32_t(n)); }
+    float between(float a, float b) { return a + (b - a) * to_unit(next()); }
+    Vec3 point(float a, float b) {
+        const float x = between(a, b), y = between(a, b);
+        return {x, y, between(a, b)};
+    }
+    Vec3 direction() {
+        for (;;) {
+            const Vec3 v = point(-1, 1);
+            if (dot(v, v) <= 1 && dot(v, v) > 1e-4f) return normalize(v);
+        }
+    }
+
+  private:
+    std::uint32_t next() { return pcg4d({seed_, ++count_, 4, 4}).x; }
+    std::uint32_t seed_, count_ = 0;
+};
+
+// Triangles get ids in the order of adding, in steps: an id is not an index.
+inline void add(std::vector<Triangle>& triangles, Vec3 a, Vec3 b, Vec3 c) {
+    triangles.push_back({{a, b, c}, Vec3(0), -1, {7 + 3 * int(triangles.size()), 0, -1}});
+}
+
+// n triangles of this size anywhere in the cube [-1, 1]^3.
+inline std::vector<Triangle> soup(int n, float size, std::uint32_t seed = 1) {
+    Dice dice(seed);
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 p = dice.point(-1, 1), a = dice.point(-size, size), b = dice.point(-size, size);
+        add(triangles, p, p + a, p + b);
+    }
+    return triangles;
+}
+
+// 2 n^2 triangles: hills over [-1, 1]^2, one surface without a gap.
+inline std::vector<Triangle> hills(int n) {
+    std::vector<Triangle> triangles;
+    const auto at = [&](int i, int j) {
+        const float x = 2.0f * i / n - 1, z = 2.0f * j / n - 1;
+        return Vec3(x, 0.2f * std::sin(7 * x) * std::cos(5 * z), z);
+    };
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            add(triangles, at(i, j), at(i + 1, j), at(i + 1, j + 1));
+            add(triangles, at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+    }
+    return triangles;
+}
+
+// Triangles with corners on the integers from 0 to 6, most of them in planes of the grid.
+inline std::vector<Triangle> on_grid(int n) {
+    Dice dice(43);
+    std::vector<Triangle> triangles;
+    while (int(triangles.size()) < n) {
+        Vec3 v[3];
+        for (Vec3& corner : v)
+            corner = {float(dice.below(7)), float(dice.below(7)), float(dice.below(7))};
+        const int axis = dice.below(4); // 3: any triangle
+        if (axis < 3)
+            for (Vec3& corner : v) corner[axis] = v[0][axis];
+        const Vec3 normal = cross(v[1] - v[0], v[2] - v[0]);
+        if (dot(normal, normal) > 0) add(triangles, v[0], v[1], v[2]);
+    }
+    return triangles;
+}
+
+// n x n houses on the integers, each a box of a height of its own, on one floor; 12 n^2 + 2
+// triangles.
+inline std::vector<Triangle> city(int n) {
+    Dice dice(45);
+    std::vector<Triangle> triangles;
+    const auto quad = [&](Vec3 a, Vec3 u, Vec3 v) {
+        add(triangles, a, a + u, a + u + v);
+        add(triangles, a, a + u + v, a + v);
+    };
+    quad(Vec3(0), {0, 0, float(n)}, {float(n), 0, 0});
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const Vec3 low(float(i), 0, float(j)), x(dice.below(2) ? 1 : 0.5f, 0, 0),
+                y(0, float(1 + dice.below(3)), 0), z(0, 0, dice.below(2) ? 1 : 0.5f);
+            quad(low, x, y), quad(low, y, z), quad(low, z, x);
+            quad(low + z, x, y), quad(low + x, y, z), quad(low + y, z, x);
+        }
+    }
+    return triangles;
+}
+
+// One triangle, n times.
+inline std::vector<Triangle> identical(int n) {
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < n; ++i) add(triangles, {0, 0, 0}, {1, 0, 1}, {0, 1, 0.5f});
+    return triangles;
+}
+
+// Across a corner of space, each twice as large as the last: from 2^-60 to 2^59.
+inline std::vector<Triangle> nested() {
+    std::vector<Triangle> triangles;
+    for (int k = -60; k < 60; ++k) {
+        const float s = std::ldexp(1.0f, k);
+        add(triangles, {s, 0, 0}, {0, s, 0}, {0, 0, s});
+    }
+    return triangles;
+}
+
+// Rays from around and inside the cube [-1, 1]^3, half of them no longer than 1.
+inline std::vector<Ray> any_rays(int n, std::uint32_t seed = 2) {
+    Dice dice(seed);
+    std::vector<Ray> rays;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 o = dice.point(-2, 2);
+        rays.push_back({o, dice.direction(), i % 2 == 0 ? infinity : dice.between(0, 1)});
+    }
+    return rays;
+}
+
+// From above hills() down to them, at all angles.
+inline std::vector<Ray> rays_down(int n) {
+    Dice dice(6);
+    std::vector<Ray> rays;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 o = dice.point(-1, 1), target = dice.point(-1, 1);
+        rays.push_back(
+            {{o.x, 0.3f, o.z}, normalize(Vec3(target.x, 0, target.z) - Vec3(o.x, 0.3f, o.z))});
+    }
+    return rays;
+}
+
+// Along the axes, with 0 and -0 beside, and along diagonals, from points of the grid, half way
+// between them, and anywhere.
+inline std::vector<Ray> grid_rays(int n) {
+    Dice dice(44);
+    std::vector<Ray> rays;
+    for (int i = 0; i < n; ++i) {
+        Vec3 o, d;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float places[] = {float(dice.below(9) - 1), dice.below(17) * 0.5f - 1,
+                                    dice.between(-1, 7)};
+            const float ways[] = {0.0f, -0.0f, 1.0f, -1.0f};
+            o[axis] = places[dice.below(3)];
+            d[axis] = ways[dice.below(4)];
+        }
+        if (dot(d, d) > 0) rays.push_back({o, normalize(d)});
+    }
+    return rays;
+}
+
+// At corners and along edges of the triangles, from anywhere, and from other corners.
+inline std::vector<Ray> rays_at_edges(const std::vector<Triangle>& triangles, int n) {
+    Dice dice(3);
+    std::vector<Ray> rays;
+    while (int(rays.size()) < n) {
+        const Triangle& triangle = triangles[dice.below(int(triangles.size()))];
+        const int corner = dice.below(3);
+        const Vec3 a = triangle.v[corner], b = triangle.v[(corner + 1) % 3];
+        const float along[] = {0, 0.5f, dice.between(0, 1)};
+        const Vec3 target = a + along[dice.below(3)] * (b - a);
+        const Vec3 o = dice.below(3) > 0
+                           ? dice.point(-2, 2)
+                           : triangles[dice.below(int(triangles.size()))].v[dice.below(3)];
+        if (dot(target - o, target - o) > 0) rays.push_back({o, normalize(target - o)});
+    }
+    return rays;
+}
+
+struct Answer {
+    float t = infinity;
+    int id = -1;
+    bool any = false;
+    WalkCounts closest; // of the walk for the closest hit
+    bool endless = false;
+};
+
+inline Answer brute_force(const std::vector<Triangle>& triangles, const Ray& ray) {
+    const ShearedRay sheared(ray);
+    Answer best;
+    for (const Triangle& triangle : triangles) {
+        float t;
+        if (!intersect(triangle, sheared, t)) continue;
+        if (t < best.t || (t == best.t && triangle.tags.id < best.id))
+            best.t = t, best.id = triangle.tags.id;
+        best.any = true;
+    }
+    return best;
+}
+
+// What a walk finds: once for the closest hit, once for any. walk: a function of a query.
+template <class Walk>
+Answer answer_of(const std::vector<TriangleBlock>& blocks, const std::vector<Triangle>& triangles,
+                 const Ray& ray, const Walk& walk) {
+    const Leaves leaves{{blocks.data(), int(blocks.size())},
+                        {triangles.data(), int(triangles.size())}};
+    ClosestHit closest(leaves, ray);
+    walk(closest);
+    AnyHit any(leaves, ray);
+    walk(any);
+    return {closest.hit().t, closest.hit().id, any.found(), closest.counts(),
+            closest.endless() || any.endless()};
+}
+
+// To the last bit of t.
+inline bool same(const Answer& a, const Answer& b) {
+    return a.any == b.any && a.id == b.id &&
+           std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
+}
+
+// Empty if every ray finds with this walk what brute force finds, to the last bit of t; else the
+// first ray that does not. answer: the walk's, a function of the ray.
+template <class Find>
+std::string difference(const std::vector<Triangle>& triangles, const std::string& walk,
+                       const std::vector<Ray>& rays, const Find& answer) {
+    int wrong = 0;
+    std::string first;
+    for (const Ray& ray : rays) {
+        const Answer truth = brute_force(triangles, ray), found = answer(ray);
+        if (!found.endless && same(found, truth)) continue;
+        if (wrong++ == 0)
+            first = fmt::format(
+                "{}: the ray from ({}, {}, {}) along ({}, {}, {}), t_max {}, {}; brute force finds "
+                "triangle {} at t = {:a}, the walk {} at {:a}; any hit: {} and {}",
+                walk, ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.t_max,
+                found.endless ? "does not end" : "ends", truth.id, truth.t, found.id, found.t,
+                truth.any, found.any);
+        if (found.endless) break; // one takes long enough
+    }
+    return wrong == 0 ? "" : fmt::format("{} ({} of {} rays differ)", first, wrong, rays.size());
+}
+
+} // namespace raylab::lab04
