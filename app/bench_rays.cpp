@@ -151,10 +151,10 @@ std::string command_line(const RaysOptions& options) {
     else
         command += fmt::format(" --scaling {} --triangles {}", options.scaling, options.triangles);
     command += fmt::format(" --structures {} --baseline {} --size {} --repeats {} --builds {} "
-                           "--threads {} --seed {}",
+                           "--verify {} --threads {} --seed {}",
                            joined(options.structures, ","), options.race.baseline, options.size,
-                           options.race.rounds, options.race.builds, options.race.threads,
-                           options.race.seed);
+                           options.race.rounds, options.race.builds, options.race.verify,
+                           options.race.threads, options.race.seed);
     if (!options.kinds.empty()) command += " --rays " + joined(options.kinds, ",");
     if (!options.camera.empty()) command += " --camera " + joined(options.camera, ",");
     return command;
@@ -244,6 +244,10 @@ Run add_bench_rays(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--builds", options->race.builds, "timed builds of each structure")
         ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--verify", options->race.verify,
+                   "rays of each kind whose answers brute force verifies, every triangle for each")
+        ->check(CLI::Range(0, 1 << 24))
         ->capture_default_str();
     app.add_option("--threads", options->race.threads, "for building and for tracing")
         ->check(CLI::Range(1, 1024))

@@ -1,5 +1,4 @@
 // Draws the plots of a bench, with plot_parts.js before it.
-const bench = JSON.parse(document.getElementById("data").textContent);
 
 // Rows that have figures, with their place in the table (and so their colour).
 const rows = scene => scene.rows.map((row, i) => ({ ...row, i })).filter(row => !row.failure);

@@ -1,5 +1,7 @@
 "use strict";
 // What plots in SVG are made of. Colours are classes (c0 to c7), so that light and dark are the style's.
+const bench = JSON.parse(document.getElementById("data").textContent);
+
 function add(parent, tag, attributes = {}, text) {
     const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
     for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);

@@ -68,26 +68,66 @@ std::optional<RayCounts> counts_a_ray(const RayStructure& structure, const RaySe
     return counts;
 }
 
+// Every so manieth ray of a set, and what brute force answers.
+struct Verified {
+    std::vector<std::size_t> which;
+    Answers right;
+};
+
+Verified verify(const RaySet& set, const RayMesh& mesh, const RaceOptions& options) {
+    Verified result;
+    RaySet some = {set.kind, {}};
+    const std::size_t count = std::min(set.rays.size(), std::size_t(options.verify));
+    for (std::size_t i = 0; i < count; ++i) {
+        result.which.push_back(i * set.rays.size() / count);
+        some.rays.push_back(set.rays[result.which.back()]);
+    }
+    trace(*brute_force().build(mesh.triangles, options.threads).structure, some, result.right);
+    return result;
+}
+
+// Compares one contestant's answers; the rest of the cell is for the rounds.
+RayCell judged(const Runner& runner, const RaySet& set, const Answers& answers,
+               const Answers& truth, bool truth_is_exact, const Verified& verified) {
+    const bool is_exact = runner.contestant->is_exact;
+    RayCell cell;
+    cell.kind = set.kind;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        cell.differing += differ(answers[i], truth[i], is_exact && truth_is_exact);
+    cell.verified = int(verified.which.size());
+    for (std::size_t i = 0; i < verified.which.size(); ++i)
+        cell.wrong += differ(answers[verified.which[i]], verified.right[i], is_exact);
+    const auto tolerated = [&](int count, std::size_t of, bool exactly) {
+        return count <= (exactly ? 0 : tolerated_share * double(of));
+    };
+    cell.agrees = tolerated(cell.differing, answers.size(), is_exact && truth_is_exact) &&
+                  tolerated(cell.wrong, verified.which.size(), is_exact);
+    cell.a_ray = counts_a_ray(*runner.structure, set);
+    return cell;
+}
+
 // Everybody once for nothing, which gives the answers; then the rounds.
 void race_kind(std::vector<Runner>& runners, std::size_t truth, const RaySet& set,
-               const RaceOptions& options, const std::function<void()>& after_step) {
+               const RayMesh& mesh, const RaceOptions& options,
+               const std::function<void()>& after_step) {
     Answers right, answers;
     trace(*runners[truth].structure, set, right);
+    const Verified verified = verify(set, mesh, options);
     for (Runner& runner : runners) {
         trace(*runner.structure, set, answers);
-        RayCell cell{set.kind, {}, 0, false, {}, counts_a_ray(*runner.structure, set)};
-        const bool exactly = runner.contestant->is_exact && runners[truth].contestant->is_exact;
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            cell.differing += differ(answers[i], right[i], exactly);
-        cell.agrees = cell.differing <= (exactly ? 0 : tolerated_share * double(answers.size()));
-        runner.row->cells.push_back(cell);
+        runner.row->cells.push_back(
+            judged(runner, set, answers, right, runners[truth].contestant->is_exact, verified));
     }
     std::vector<std::vector<double>> mrays(runners.size());
     for (int round = 0; round < options.rounds; ++round)
         for (std::size_t i = 0; i < runners.size(); ++i) {
             const std::size_t who = (i + std::size_t(round)) % runners.size();
-            const double seconds = trace(*runners[who].structure, set, answers);
-            mrays[who].push_back(1e-6 * double(set.rays.size()) / seconds);
+            double seconds = 0, rays = 0;
+            do {
+                seconds += trace(*runners[who].structure, set, answers);
+                rays += double(set.rays.size());
+            } while (seconds < options.least_seconds && rays > 0);
+            mrays[who].push_back(1e-6 * rays / seconds);
             if (after_step) after_step();
         }
     const auto baseline = std::find_if(runners.begin(), runners.end(), [&](const Runner& runner) {
@@ -145,7 +185,7 @@ RayRace race(const RayMesh& mesh, const std::vector<RayContestant>& contestants,
     for (const RayKind kind : options.kinds) {
         const RaySet& set = sets[std::size_t(kind)];
         result.ray_counts.push_back(int(set.rays.size()));
-        race_kind(runners, truth, set, options, after_step);
+        race_kind(runners, truth, set, mesh, options, after_step);
     }
     return result;
 }

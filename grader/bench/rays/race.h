@@ -18,7 +18,9 @@ struct RaceOptions {
     int builds = 5; // timed, of each structure
     int threads = 1;
     std::uint32_t seed = 1;
-    std::string baseline; // whom ratios refer to
+    std::string baseline;        // whom ratios refer to
+    int verify = 64;             // rays of each kind that are also answered by brute force
+    double least_seconds = 0.01; // a contestant traces again in a round until it took this long
 };
 
 // An answer differs if one finds a hit and the other none, or if t differs by more than this share
@@ -28,10 +30,11 @@ constexpr double tolerated_t = 1e-4;
 constexpr double tolerated_share = 1e-4;
 
 struct RayCell {
-    RayKind kind;
+    RayKind kind = RayKind::primary;
     Measured mrays;                 // million rays a second
-    int differing = 0;              // answers
-    bool agrees = false;            // few enough of them
+    int differing = 0;              // answers, from the truth's
+    int verified = 0, wrong = 0;    // answers that brute force gave too; others than its
+    bool agrees = false;            // few enough of both
     std::optional<Measured> ratio;  // over the baseline; only if both agree
     std::optional<RayCounts> a_ray; // counted in a ray, on average
 };

@@ -76,10 +76,23 @@ Camera view_from_front(const Bounds& bounds) {
     return pinhole(DVec3(middle.x, middle.y, high.z + half / half_angle_tan), middle);
 }
 
-Camera view_from_above(const Bounds& bounds) {
-    const DVec3 low(bounds.low), high(bounds.high), middle = (low + high) / 2.0;
-    const double radius = std::sqrt(dot(high - low, high - low)) / 2;
-    return pinhole(middle + DVec3(0.6, 0.8, 1.2) * (1.3 * radius / half_angle_tan / 1.56), middle);
+// At a distance D from the middle a point p, seen from there, is in the picture if both |p . right|
+// and |p . up| are at most tan (D + p . forward).
+Camera view_from_above(std::span<const Triangle> triangles) {
+    const Bounds bounds = bounds_of(triangles);
+    const DVec3 middle = (DVec3(bounds.low) + DVec3(bounds.high)) / 2.0;
+    const DVec3 direction = DVec3(0.6, 0.8, 1.2);
+    Camera camera = pinhole(middle + direction, middle);
+    double distance = 0;
+    for (const Triangle& triangle : triangles)
+        for (const Vec3& v : triangle.v) {
+            const DVec3 p = DVec3(v) - middle;
+            const double aside = std::max(std::fabs(dot(p, DVec3(camera.right))),
+                                          std::fabs(dot(p, DVec3(camera.up))));
+            distance = std::max(distance, aside / half_angle_tan - dot(p, DVec3(camera.forward)));
+        }
+    camera.position = middle - distance * DVec3(camera.forward);
+    return camera;
 }
 
 RayMesh polygons_of(const Scene& scene) {
@@ -118,7 +131,7 @@ RayMesh procedural_ray_mesh(const std::string& kind, int triangles, std::uint32_
     RayMesh mesh = from_mesh(kind + ":" + std::to_string(triangles),
                              find_procedural_mesh(kind)->make(triangles, seed));
     mesh.camera = kind == "stadium" ? pinhole(DVec3(12, 5, 4), DVec3(5, 2, -3))
-                                    : view_from_above(bounds_of(mesh.triangles));
+                                    : view_from_above(mesh.triangles);
     return mesh;
 }
 

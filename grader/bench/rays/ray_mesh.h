@@ -30,8 +30,8 @@ Camera pinhole(DVec3 position, DVec3 look_at);
 // as the peers' meshes stand in one.
 Camera view_from_front(const Bounds& bounds);
 
-// From above, in front and to the right, all of it in the picture.
-Camera view_from_above(const Bounds& bounds);
+// From above, in front and to the right, as near as leaves all of it in the picture.
+Camera view_from_above(std::span<const Triangle> triangles);
 
 // A scene's triangles, and its quads as two each, seen by its camera. These throw SceneError if
 // there is no triangle with an area.

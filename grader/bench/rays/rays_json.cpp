@@ -18,6 +18,8 @@ ordered_json to_json(const RayCell& cell, int count) {
             {"mrays_per_second", to_json(cell.mrays)},
             {"ratio", to_json(cell.ratio)},
             {"differing", cell.differing},
+            {"verified", cell.verified},
+            {"wrong", cell.wrong},
             {"agrees", cell.agrees},
             {"nodes_per_ray", a_ray(&RayCounts::nodes)},
             {"triangles_per_ray", a_ray(&RayCounts::triangles)}};

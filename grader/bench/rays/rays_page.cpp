@@ -55,19 +55,22 @@ std::string cells_html(const json& race) {
         if (row.contains("failure")) continue;
         for (const json& c : row.at("cells"))
             rows += fmt::format(
-                "<tr><td><span class=\"key c{}\"></span>{}</td><td>{}</td>{}{}{}{}{}</tr>\n", i % 8,
-                text(row.at("name")), text(c.at("rays")),
+                "<tr><td><span class=\"key c{}\"></span>{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n",
+                i % 8, text(row.at("name")), text(c.at("rays")),
                 cell(html::measured(c.at("mrays_per_second"))),
                 cell(c.at("agrees").get<bool>() ? html::measured(c.at("ratio"), "&times;&#8239;")
                                                 : "answers differ: no ratio"),
                 cell(optional(c.at("nodes_per_ray"))), cell(optional(c.at("triangles_per_ray"))),
                 cell(fmt::format("{} of {}", c.at("differing").get<int>(),
-                                 c.at("count").get<int>())));
+                                 c.at("count").get<int>())),
+                cell(fmt::format("{} of {}", c.at("wrong").get<int>(),
+                                 c.at("verified").get<int>())));
     }
     return "<div class=\"wide\"><table><thead><tr><th>Structure</th><th>Rays</th>"
            "<th class=\"number\">Mrays / s</th><th class=\"number\">Ratio</th>"
            "<th class=\"number\">Nodes / ray</th><th class=\"number\">Triangles / ray</th>"
-           "<th class=\"number\">Differing answers</th></tr></thead><tbody>" +
+           "<th class=\"number\">Differing answers</th>"
+           "<th class=\"number\">Wrong, of those verified</th></tr></thead><tbody>" +
            rows + "</tbody></table></div>\n";
 }
 
@@ -133,7 +136,8 @@ std::string rays_page_html(const json& bench, const std::string& machine) {
         "follows from them, {} rounds, {} thread{}; ratios to <strong>{}</strong> in the same "
         "round</p>\n<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}"
         "</header>\n{}{}{}<section><h2>How this was measured</h2>\n<p class=\"reason\">Everybody "
-        "traces the same rays, in turns. Figures are medians over the rounds; an interval holds "
+        "traces the same rays, in turns. Some rays of each kind are verified by brute force. "
+        "Figures are medians over the rounds; an interval holds "
         "the true median with {:.1f}&#8239;% probability, whatever disturbed the clock. Answers "
         "differ if one finds a hit and the other none, or if t differs by more than {} of it; of "
         "structures that promise raylab's bits already if a bit or the triangle does. Whose "

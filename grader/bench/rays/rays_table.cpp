@@ -20,8 +20,9 @@ std::string to_table(const RayRace& race, const std::string& baseline) {
                               with_interval(row.build_seconds, 3),
                               figure(1e-6 * race.triangles / row.build_seconds.median, "{:.3g}"),
                               row.bytes_per_triangle);
-    text += fmt::format("{:9} {:16} {:>22} {:>20} {:>9} {:>9}  {}\n", "", "", "Mrays/s",
-                        "times " + baseline, "nodes", "triangles", "answers that differ");
+    text +=
+        fmt::format("{:9} {:16} {:>22} {:>20} {:>9} {:>9}  {}\n", "", "", "Mrays/s",
+                    "times " + baseline, "nodes", "triangles", "answers that differ, are wrong");
     for (std::size_t kind = 0; kind < race.ray_counts.size(); ++kind)
         for (const RayRow& row : race.rows) {
             if (!row.failure.empty()) continue;
@@ -29,11 +30,11 @@ std::string to_table(const RayRace& race, const std::string& baseline) {
             const auto count = [&](double RayCounts::*which) {
                 return cell.a_ray ? figure((*cell.a_ray).*which, "{:.1f}") : "-";
             };
-            text += fmt::format("{:9} {:16} {:>22} {:>20} {:>9} {:>9}  {} of {}{}\n",
+            text += fmt::format("{:9} {:16} {:>22} {:>20} {:>9} {:>9}  {} of {}, {} of {}{}\n",
                                 name_of(cell.kind), row.name, with_interval(cell.mrays, 3),
                                 ratio_text(cell.ratio), count(&RayCounts::nodes),
                                 count(&RayCounts::triangles), cell.differing, race.ray_counts[kind],
-                                cell.agrees ? "" : ": no ratio");
+                                cell.wrong, cell.verified, cell.agrees ? "" : ": no ratio");
         }
     return text;
 }

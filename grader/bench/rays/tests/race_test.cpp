@@ -15,6 +15,7 @@ RaceOptions against(const std::string& baseline) {
     RaceOptions options;
     options.baseline = baseline;
     options.builds = 1;
+    options.least_seconds = 0; // one run a round
     return options;
 }
 
@@ -90,6 +91,41 @@ TEST(Race, WhoCannotTakePartIsARowThatSaysWhy) {
     EXPECT_EQ(result.truth, "right");
     EXPECT_FALSE(result.rows[2].cells[0].ratio) << "the baseline takes no part";
     EXPECT_THROW(race(small_mesh(), {broken("broken")}, against("x")), ContestantError);
+}
+
+TEST(Race, BruteForceVerifiesSomeWhenNobodyElseCan) {
+    // All are wrong in the same way: they agree with each other.
+    const auto miss = [](std::span<RayAnswer> answers) {
+        for (RayAnswer& a : answers) a = {};
+    };
+    RaceOptions options = against("a");
+    options.verify = 100;
+    const auto cell = [&] {
+        return race(small_mesh("terrain"),
+                    {fake("a", {100, true, miss}), fake("b", {50, true, miss})}, options)
+            .rows[1]
+            .cells[0];
+    };
+    EXPECT_EQ(cell().differing, 0);
+    EXPECT_EQ(cell().verified, 100);
+    EXPECT_GT(cell().wrong, 0);
+    EXPECT_FALSE(cell().ratio);
+    options.verify = 0;
+    EXPECT_EQ(cell().verified, 0);
+    EXPECT_TRUE(cell().ratio);
+}
+
+TEST(Race, AShortRunIsRepeatedUntilItCanBeTimed) {
+    std::vector<std::string> log;
+    Fake logged;
+    logged.log = &log;
+    RaceOptions options = against("a");
+    options.kinds = {RayKind::primary};
+    options.least_seconds = 1e-4; // 256 rays at 100 ns are 25.6 us: four times
+    const RayRace result = race(small_mesh(), {fake("a", logged)}, options);
+    // Two to make the rays, two for the answers of the truth and its own.
+    EXPECT_EQ(log.size(), 4u + 5 * 4);
+    EXPECT_NEAR(result.rows[0].cells[0].mrays.median, 10, 1e-9);
 }
 
 TEST(Race, TruthIsTheFirstExactOne) {
