@@ -63,6 +63,9 @@ class Builder {
         tree_.nodes[node] = KdNode::leaf(first, int(tree_.blocks.size()) - first);
     }
 
+    // Makes the node a leaf, or cuts its cell and goes on with the parts; either takes the cell's
+    // references off work_. Of two children the lower is finished first, while the references of
+    // the upper wait on later_.
     //[ task 4.1
     void subdivide(int node, const Bounds& cell, Limits limits) {
         const std::span<const KdReference> here(work_.data() + limits.begin,
@@ -70,7 +73,7 @@ class Builder {
         const int n = int(here.size());
         KdPlane plane;
         if (blocks_for(n) > 1 && limits.depth > 0) plane = best_plane(here, cell, settings_.costs);
-        if (plane.axis < 0 || plane.cost >= blocks_for(n) || copies(here, plane) > limits.copies) {
+        if (plane.cost >= blocks_for(n) || copies(here, plane) > limits.copies) {
             make_leaf(node, limits.begin);
             return;
         }

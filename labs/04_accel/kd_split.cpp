@@ -42,7 +42,7 @@ class Search {
         double cost =
             costs_.step + (area_below * blocks_for(below) + area_above * blocks_for(above)) / area_;
         if (below == 0 || above == 0) cost *= costs_.empty_factor;
-        if (best.axis < 0 || cost < best.cost) best = {axis_, plane, cost};
+        if (cost < best.cost) best = {axis_, plane, cost};
         //| not_implemented("4.1", "best_plane()");
         //]
     }

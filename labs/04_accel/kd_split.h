@@ -29,7 +29,7 @@ inline int blocks_for(int triangles) {
 struct KdPlane {
     int axis = -1; // -1: there is none
     float at = 0;
-    double cost = 0; // of a ray through the cell
+    double cost = infinity; // of a ray through the cell
 };
 
 // The plane of least cost strictly inside the cell. Few triangles: every place where one begins or
