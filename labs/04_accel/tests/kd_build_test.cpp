@@ -99,6 +99,38 @@ TEST(Task4_1, PlanesAreTriedAmongMany) {
                        plane.axis < 0 ? "none" : std::string(1, char('x' + plane.axis)), plane.at));
 }
 
+TEST(Task4_1, TheCostCountsWhatReachesIntoEachSide) {
+    for (const int n : {20, 500}) {
+        Dice dice(12);
+        const Bounds cell{Vec3(0), Vec3(3, 1, 1)};
+        std::vector<KdReference> references;
+        for (int i = 0; i < n; ++i) {
+            const Vec3 low = dice.point(0, 0.8f) * Vec3(3.5f, 1, 1);
+            references.push_back({{low, low + Vec3(0.2f)}, i});
+        }
+        const KdPlane plane = best_plane(references, cell, {});
+        if (!expect(plane.axis >= 0, fmt::format("no plane is found for {} boxes", n))) return;
+        int below = 0, above = 0;
+        for (const KdReference& reference : references) {
+            below += reference.box.low[plane.axis] < plane.at;
+            above += reference.box.high[plane.axis] > plane.at;
+        }
+        const auto area = [](Vec3 d) { return d.x * d.y + d.y * d.z + d.z * d.x; };
+        Vec3 low = cell.high, high = cell.high;
+        low[plane.axis] = plane.at;
+        high[plane.axis] -= plane.at;
+        const double cost =
+            KdCosts{}.step +
+            (area(low) * blocks_for(below) + area(high) * blocks_for(above)) / area(cell.high);
+        expect_near(fmt::format("the cost of the plane for {} boxes, {} of which reach below it "
+                                "and {} above,",
+                                n, below, above),
+                    plane.cost, cost, 0.005 * cost,
+                    "a triangle is below if it begins before the plane, and above if it ends "
+                    "behind it");
+    }
+}
+
 TEST(Task4_1, DepthAndMemoryAreBounded) {
     const auto bounded = [](const char* what, const std::vector<Triangle>& triangles) {
         KdBuildSettings settings = deep();
@@ -115,20 +147,14 @@ TEST(Task4_1, DepthAndMemoryAreBounded) {
                            "likely cause: settings.copies is not heeded",
                            what, share, settings.copies));
     };
-    std::vector<Triangle> same, nested;
-    for (int i = 0; i < 20000; ++i) add(same, {0, 0, 0}, {1, 0, 1}, {0, 1, 0.5f});
-    for (int k = -60; k < 60; ++k) {
-        const float s = std::ldexp(1.0f, k);
-        add(nested, {s, 0, 0}, {0, s, 0}, {0, 0, s});
-    }
     std::vector<Triangle> needles; // all through the middle
     Dice dice(7);
     for (int i = 0; i < 2000; ++i) {
         const Vec3 d = dice.direction();
         add(needles, d, -d, d + dice.point(-0.01f, 0.01f));
     }
-    bounded("20000 times one triangle", same);
-    bounded("triangles of sizes from 2^-60 to 2^59", nested);
+    bounded("20000 times one triangle", identical(20000));
+    bounded("triangles of sizes from 2^-60 to 2^59", nested());
     bounded("2000 needles through one point", needles);
     bounded("400 large triangles on a grid", on_grid(400));
 }
