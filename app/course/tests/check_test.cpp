@@ -60,7 +60,7 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     EXPECT_EQ(help.code, 0);
     for (const std::string command :
          {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
-          "rare-cases", "prove", "release"})
+          "bench-rays", "rare-cases", "prove", "release"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_EQ(run("./raylab").code, 2);
 }
