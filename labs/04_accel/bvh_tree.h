@@ -17,4 +17,13 @@ struct BvhTree {
     std::size_t block_bytes() const { return blocks.size() * sizeof(TriangleBlock); }
 };
 
+inline Bounds child_box(const BvhNode& node, int child) {
+    Bounds box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = node.box[axis][0][child];
+        box.high[axis] = node.box[axis][1][child];
+    }
+    return box;
+}
+
 } // namespace raylab::lab04

@@ -5,11 +5,6 @@
 namespace raylab::lab04 {
 namespace {
 
-Bounds child_box(const BvhNode& node, int k) {
-    return {{node.box[0][0][k], node.box[1][0][k], node.box[2][0][k]},
-            {node.box[0][1][k], node.box[1][1][k], node.box[2][1][k]}};
-}
-
 // Appends what hangs in this place of the tree.
 void append(const BvhTree& tree, int child, const Bounds& box, std::vector<SkipNode>& line) {
     if (child == no_child) return;

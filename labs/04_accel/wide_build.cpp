@@ -33,13 +33,7 @@ struct Collapse {
     std::vector<Forest> forest; // of each binary node
 
     Candidate child_of(int node, int k) const {
-        const BvhNode& n = from.nodes[node];
-        Candidate c{n.child[k], {}};
-        for (int a = 0; a < 3; ++a) {
-            c.box.low[a] = n.box[a][0][k];
-            c.box.high[a] = n.box[a][1][k];
-        }
-        return c;
+        return {from.nodes[node].child[k], child_box(from.nodes[node], k)};
     }
 
     int height_of(const Candidate& c) const {

@@ -205,6 +205,13 @@ inline Answer brute_force(const std::vector<Triangle>& triangles, const Ray& ray
     return best;
 }
 
+inline std::vector<Answer> brute_force(const std::vector<Triangle>& triangles,
+                                       const std::vector<Ray>& rays) {
+    std::vector<Answer> answers;
+    for (const Ray& ray : rays) answers.push_back(brute_force(triangles, ray));
+    return answers;
+}
+
 // What a walk finds: once for the closest hit, once for any. walk: a function of a query.
 template <class Walk>
 Answer answer_of(const std::vector<TriangleBlock>& blocks, const std::vector<Triangle>& triangles,
@@ -225,15 +232,16 @@ inline bool same(const Answer& a, const Answer& b) {
            std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
 }
 
-// Empty if every ray finds with this walk what brute force finds, to the last bit of t; else the
-// first ray that does not. answer: the walk's, a function of the ray.
+// Empty if every ray finds with this walk the truth, to the last bit of t; else the first ray that
+// does not. truth: brute force's; answer: the walk's, a function of the ray.
 template <class Find>
-std::string difference(const std::vector<Triangle>& triangles, const std::string& walk,
+std::string difference(const std::vector<Answer>& truths, const std::string& walk,
                        const std::vector<Ray>& rays, const Find& answer) {
     int wrong = 0;
     std::string first;
-    for (const Ray& ray : rays) {
-        const Answer truth = brute_force(triangles, ray), found = answer(ray);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray& ray = rays[i];
+        const Answer &truth = truths[i], found = answer(ray);
         if (!found.endless && same(found, truth)) continue;
         if (wrong++ == 0)
             first = fmt::format(

@@ -54,7 +54,7 @@ inline std::string name(KdWalk kind) {
 }
 
 inline std::string difference(const KdCase& scene, KdWalk kind, const std::vector<Ray>& rays) {
-    return difference(scene.triangles, name(kind), rays,
+    return difference(brute_force(scene.triangles, rays), name(kind), rays,
                       [&](const Ray& ray) { return scene.answer(kind, ray); });
 }
 
