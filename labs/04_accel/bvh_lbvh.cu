@@ -1,0 +1,219 @@
+// Codes, sorting, hierarchy, boxes: see build_lbvh() at the end.
+#include "labs/04_accel/bvh_lbvh.h"
+
+#include "common/device/launch.h"
+#include "labs/04_accel/grid.h"
+#include "labs/04_accel/karras.h"
+#include "labs/04_accel/morton.h"
+#include "labs/04_accel/radix_sort.h"
+
+#include <algorithm>
+
+namespace raylab::lab04 {
+
+namespace {
+
+constexpr int block = 128;
+constexpr int bounds_chunk = 1024;
+
+// Behind all codes: of triangles that are left out.
+constexpr std::uint32_t no_code = 1u << 3 * morton_bits;
+
+__device__ bool is_finite(const Triangle& triangle) {
+    float sum = 0; // of what is 0, or NaN
+    for (const Vec3& v : triangle.v) sum += 0 * v.x + 0 * v.y + 0 * v.z;
+    return sum == 0;
+}
+
+__device__ Bounds bounds_of(const Triangle& triangle) {
+    Bounds box;
+    for (const Vec3& v : triangle.v) box.include(v);
+    return box;
+}
+
+// Half of low + half of high: a sum might overflow.
+__device__ Vec3 centre_of(const Bounds& box) { return 0.5f * box.low + 0.5f * box.high; }
+
+// The box around the centres of a chunk of triangles, by one thread.
+__global__ void centres_kernel(Array<Triangle> triangles, int chunks, Bounds* boxes) {
+    const int c = static_cast<int>(global_index());
+    if (c >= chunks) return;
+    Bounds box;
+    for (int i = c * bounds_chunk; i < triangles.size && i < (c + 1) * bounds_chunk; ++i)
+        if (is_finite(triangles[i])) box.include(centre_of(bounds_of(triangles[i])));
+    boxes[c] = box;
+}
+
+__global__ void codes_kernel(Array<Triangle> triangles, Bounds centres, std::uint32_t* codes,
+                             int* indices) {
+    const std::int64_t i = global_index();
+    if (i >= triangles.size) return;
+    const Triangle& triangle = triangles[i];
+    codes[i] = is_finite(triangle) ? morton_code(centre_of(bounds_of(triangle)), centres) : no_code;
+    indices[i] = static_cast<int>(i);
+}
+
+// A leaf is four triangles that follow each other on the curve, and its code that of the first.
+__global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
+                              const int* indices, int n, TriangleBlock* blocks,
+                              std::uint32_t* leaf_codes) {
+    const std::int64_t leaf = global_index();
+    if (leaf * triangles_per_block >= n) return;
+    TriangleBlock four{};
+    for (int lane = 0; lane < triangles_per_block; ++lane) {
+        const std::int64_t i = leaf * triangles_per_block + lane;
+        const bool filled = i < n && codes[i] != no_code;
+        four.index[lane] = filled ? indices[i] : -1;
+        for (int corner = 0; filled && corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis)
+                four.v[corner][axis][lane] = triangles[indices[i]].v[corner][axis];
+    }
+    blocks[leaf] = four;
+    leaf_codes[leaf] = codes[leaf * triangles_per_block];
+}
+
+// The axis along which two halves of a range lie apart: that of the first bit that differs.
+__device__ int split_axis(Array<std::uint32_t> codes, const KarrasNode& node) {
+    const std::uint32_t differing = codes[node.split] ^ codes[node.split + 1];
+    return differing == 0 ? 0 : (leading_zeros(differing) - (32 - 3 * morton_bits) + 3) % 3;
+}
+
+// A thread an inner node: children, and itself as their parent.
+__global__ void hierarchy_kernel(Array<std::uint32_t> codes, BvhNode* nodes, int* leaf_parents) {
+    const std::int64_t thread = global_index();
+    if (thread >= codes.size - 1) return;
+    const int i = static_cast<int>(thread);
+    //[ task 4.5
+    const KarrasNode node = karras_node(codes, i);
+    const int left = node.left_is_leaf() ? ~node.split : node.split;
+    const int right = node.right_is_leaf() ? ~(node.split + 1) : node.split + 1;
+    nodes[i].axis = split_axis(codes, node);
+    //| // Each node has the two numbers behind twice its own, as in a heap: a legal tree.
+    //| not_implemented("4.5", "hierarchy_kernel()");
+    //| const int inner = codes.size - 1;
+    //| const int left = 2 * i + 1 < inner ? 2 * i + 1 : ~(2 * i + 1 - inner);
+    //| const int right = 2 * i + 2 < inner ? 2 * i + 2 : ~(2 * i + 2 - inner);
+    //]
+    nodes[i].child[0] = left;
+    nodes[i].child[1] = right;
+    for (const int child : {left, right})
+        (is_leaf(child) ? leaf_parents[~child] : nodes[child].parent) = i;
+    if (i == 0) nodes[0].parent = -1;
+}
+
+__device__ Bounds bounds_of(const TriangleBlock& four) {
+    Bounds box;
+    for (int lane = 0; lane < triangles_per_block; ++lane)
+        for (int corner = 0; four.index[lane] >= 0 && corner < 3; ++corner)
+            box.include(
+                {four.v[corner][0][lane], four.v[corner][1][lane], four.v[corner][2][lane]});
+    return box;
+}
+
+__device__ void set_box(BvhNode& node, int side, const Bounds& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        node.box[axis][0][side] = box.low[axis];
+        node.box[axis][1][side] = box.high[axis];
+    }
+}
+
+__device__ Bounds box_in(const BvhNode& node) {
+    Bounds box;
+    for (int side = 0; side < 2; ++side)
+        box.include(Bounds{{node.box[0][0][side], node.box[1][0][side], node.box[2][0][side]},
+                           {node.box[0][1][side], node.box[1][1][side], node.box[2][1][side]}});
+    return box;
+}
+
+// A thread a leaf, from there up. At a node two threads arrive, from either side: the first one
+// ends there, the second one knows that both boxes are written. arrived: 0 for each node.
+__global__ void refit_kernel(const TriangleBlock* blocks, int leaves, const int* leaf_parents,
+                             BvhNode* nodes, int* arrived) {
+    const std::int64_t leaf = global_index();
+    if (leaf >= leaves) return;
+    //[ task 4.6
+    Bounds box = bounds_of(blocks[leaf]);
+    int child = ~static_cast<int>(leaf), at = leaf_parents[leaf];
+    while (at >= 0) {
+        set_box(nodes[at], nodes[at].child[1] == child, box);
+        __threadfence(); // the box before the arrival
+        if (atomicAdd(&arrived[at], 1) == 0) return;
+        __threadfence(); // and the other's box after it
+        box = box_in(nodes[at]);
+        child = at;
+        at = nodes[at].parent;
+    }
+    //| // Boxes around everything: no ray misses any.
+    //| not_implemented("4.6", "refit_kernel()");
+    //| const Bounds everything{Vec3(-infinity), Vec3(infinity)};
+    //| if (leaf + 1 < leaves)
+    //|     for (int side = 0; side < 2; ++side) set_box(nodes[leaf], side, everything);
+    //]
+}
+
+// A tree of one leaf: a root with nothing on its other side.
+__global__ void lone_leaf_kernel(const TriangleBlock* blocks, BvhNode* nodes) {
+    nodes[0] = {{}, {~0, no_child}, -1, 0};
+    set_box(nodes[0], 0, bounds_of(blocks[0]));
+    set_box(nodes[0], 1, Bounds{});
+}
+
+Bounds bounds_of_centres(Array<Triangle> triangles) {
+    const int chunks = blocks_for(triangles.size, bounds_chunk);
+    DeviceArray<Bounds> boxes(chunks);
+    centres_kernel<<<blocks_for(chunks, block), block>>>(triangles, chunks, boxes.data());
+    check(cudaGetLastError(), "centres_kernel");
+    Bounds all;
+    for (const Bounds& box : boxes.to_host()) all.include(box);
+    return all;
+}
+
+} // namespace
+
+DeviceBvh build_lbvh(Array<Triangle> triangles) {
+    const int n = triangles.size;
+    if (n == 0) return {};
+    // 1. A place on the Morton curve for each triangle. 2. Sort by it.
+    DeviceArray<std::uint32_t> codes(n);
+    DeviceArray<int> indices(n);
+    codes_kernel<<<blocks_for(n, block), block>>>(triangles, bounds_of_centres(triangles),
+                                                  codes.data(), indices.data());
+    check(cudaGetLastError(), "codes_kernel");
+    radix_sort(codes, indices, 3 * morton_bits + 1);
+
+    // 3. Leaves.
+    const int leaves = blocks_for(n, triangles_per_block);
+    DeviceBvh bvh{DeviceArray<BvhNode>(std::max(leaves - 1, 1)),
+                  DeviceArray<TriangleBlock>(leaves)};
+    DeviceArray<std::uint32_t> leaf_codes(leaves);
+    leaves_kernel<<<blocks_for(leaves, block), block>>>(triangles, codes.data(), indices.data(), n,
+                                                        bvh.blocks.data(), leaf_codes.data());
+    check(cudaGetLastError(), "leaves_kernel");
+    if (leaves == 1) {
+        lone_leaf_kernel<<<1, 1>>>(bvh.blocks.data(), bvh.nodes.data());
+        check(cudaGetLastError(), "lone_leaf_kernel");
+        return bvh;
+    }
+
+    // 4. The nodes above them, all at once. 5. Their boxes, from the leaves up.
+    DeviceArray<int> leaf_parents(leaves), arrived(leaves - 1);
+    hierarchy_kernel<<<blocks_for(leaves - 1, block), block>>>(
+        {leaf_codes.data(), leaves}, bvh.nodes.data(), leaf_parents.data());
+    check(cudaGetLastError(), "hierarchy_kernel");
+    refit_kernel<<<blocks_for(leaves, block), block>>>(
+        bvh.blocks.data(), leaves, leaf_parents.data(), bvh.nodes.data(), arrived.data());
+    check(cudaGetLastError(), "refit_kernel");
+    return bvh;
+}
+
+BvhTree to_host(const DeviceBvh& bvh) {
+    BvhTree tree{bvh.nodes.to_host(), bvh.blocks.to_host(), 0};
+    for (const BvhNode& node : tree.nodes) {
+        int depth = 1;
+        for (int at = node.parent; at >= 0; at = tree.nodes[at].parent) ++depth;
+        tree.depth = std::max(tree.depth, depth);
+    }
+    return tree;
+}
+
+} // namespace raylab::lab04
