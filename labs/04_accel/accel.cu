@@ -1,6 +1,7 @@
 // Building is the host's work, apart from kernels that builders launch; what is built is copied.
 #include "labs/04_accel/accel.h"
 
+#include "labs/04_accel/bvh_lbvh.h"
 #include "labs/04_accel/bvh_sah.h"
 #include "labs/04_accel/kd_build.h"
 #include "labs/04_accel/kd_ropes.h"
@@ -81,14 +82,19 @@ void Accel::build(const std::vector<Triangle>& triangles) {
         kd_bounds_ = tree.bounds;
         return keep_blocks(tree.blocks);
     }
+    case AccelKind::lbvh: {
+        const DeviceArray<Triangle> on_device(triangles);
+        check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
+        const Stopwatch kernels;
+        const DeviceBvh bvh = build_lbvh(array_of(on_device));
+        check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
+        facts_.build_seconds = kernels.seconds();
+        return keep_tree(to_host(bvh));
+    }
     case AccelKind::sah: {
         const BvhTree tree = build_bvh_sah(triangles);
-        if (choice_.walk.walk == WalkKind::skip)
-            keep(lay_skip_links(tree), skip_);
-        else
-            keep(tree.nodes, bvh_);
         built(tree.depth);
-        return keep_blocks(tree.blocks);
+        return keep_tree(tree);
     }
     case AccelKind::wide: {
         const WideTree tree = build_wide(build_bvh_sah(triangles));
@@ -103,6 +109,16 @@ void Accel::build(const std::vector<Triangle>& triangles) {
         return keep_blocks(blocks);
     }
     }
+}
+
+// As the walk wants it.
+void Accel::keep_tree(const BvhTree& tree) {
+    facts_.depth = tree.depth;
+    if (choice_.walk.walk == WalkKind::skip)
+        keep(lay_skip_links(tree), skip_);
+    else
+        keep(tree.nodes, bvh_);
+    keep_blocks(tree.blocks);
 }
 
 template <class Node> void Accel::keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory) {

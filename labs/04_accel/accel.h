@@ -28,6 +28,7 @@ class Accel {
   private:
     void build(const std::vector<Triangle>& triangles);
     template <class Node> void keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory);
+    void keep_tree(const BvhTree& tree);
     void keep_blocks(const std::vector<TriangleBlock>& blocks);
 
     AccelChoice choice_;

@@ -27,8 +27,9 @@ static_assert(sizeof(BvhNode) == 64, "a cache line");
 constexpr int no_child = -1 - 0x7fffffff; // the lowest int: no block has this number
 constexpr bool is_leaf(int child) { return child < 0; }
 
-// No deeper than this: a stack of so many nodes is enough for every walk.
-constexpr int max_bvh_depth = 48;
+// No deeper than this: a stack of so many nodes, or bits, is enough for every walk. Codes of 30 bits
+// and numbers of up to 2^31 leaves behind them (karras.h) cannot make a longer path.
+constexpr int max_bvh_depth = 62;
 
 struct BvhView {
     Array<BvhNode> nodes; // the root first; none: no triangle

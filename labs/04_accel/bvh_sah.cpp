@@ -62,7 +62,7 @@ struct Builder {
         const Bounds centres = centres_of(items);
         // A tree of medians below may still need this many levels.
         const int halvings = std::bit_width(items.size());
-        const bool deep = depth + halvings >= max_bvh_depth;
+        const bool deep = depth + halvings >= max_sah_depth;
         Split split = deep ? Split{} : best_cut_between(items, centres);
         if (!deep && split.overlap > least_overlap * root_area &&
             references < most_references * triangles.size()) {

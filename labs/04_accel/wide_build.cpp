@@ -4,6 +4,7 @@
 #include "labs/04_accel/wide_tree.h"
 
 #include "labs/04_accel/build_items.h"
+#include "labs/04_accel/bvh_sah.h"
 
 #include <algorithm>
 #include <array>
@@ -157,7 +158,7 @@ struct Collapse {
         node.face[1][slot] = q[1][0] | q[1][1] << face_bits | q[2][1] << 2 * face_bits;
     }
 
-    static_assert(3 * max_wide_levels >= max_bvh_depth);
+    static_assert(3 * max_wide_levels >= max_sah_depth);
 
     void fill(int self, int binary, int parent, int level) {
         tree.levels = std::max(tree.levels, level + 1);
