@@ -32,7 +32,14 @@ elseif(NOT RAYLAB_ARCH STREQUAL "native")
     message(FATAL_ERROR "RAYLAB_ARCH is '${RAYLAB_ARCH}': the compiler does not know this processor")
 endif()
 
+# Kernels specialised on what a scene uses, or one that does for all (common/scene/variants.h).
+set(RAYLAB_VARIANTS all CACHE STRING "kernel variants: all, or one that compiles fast")
+set_property(CACHE RAYLAB_VARIANTS PROPERTY STRINGS all one)
+
 add_library(raylab_flags INTERFACE)
+if(RAYLAB_VARIANTS STREQUAL "one")
+    target_compile_definitions(raylab_flags INTERFACE RAYLAB_ONE_VARIANT)
+endif()
 target_include_directories(raylab_flags INTERFACE ${RAYLAB_OVERLAY} ${CMAKE_SOURCE_DIR})
 # Stubs leave parameters and variables unused, and a student's warning should not stop the build.
 option(RAYLAB_STRICT "Warnings are errors" ON)

@@ -1,7 +1,7 @@
 // All labs draw the same image. Every bundled scene, several seeds: the recursive lab and the
 // iterative lab trace the same paths, hit for hit, and agree in value to rounding; the iterative
 // lab gives the same bits however its threads are cut into blocks, ordered and shared out; so does
-// the wavefront, whatever its pool.
+// the wavefront, whatever its pool, and the lab with trees, whatever the tree.
 #include "app/tests/agreement.h"
 
 #include <gtest/gtest.h>
@@ -87,6 +87,28 @@ TEST_P(EveryScene, WavefrontLabIsBitIdenticalWithFewPaths) {
         EXPECT_TRUE(same_bits(
             trace("03", scene, {.block_size = 16, .wavefront = wavefront}, 1).film, expected))
             << described(wavefront);
+}
+
+// ACCEL-BRUTE over whole paths: no structure and no walk changes a bit.
+TEST_P(EveryScene, AccelLabHasTheBitsOfTheIterativeOne) {
+    const Scene scene = small(GetParam(), 16, 7);
+    const Traced expected = trace("02", scene, {}, 1);
+    const auto same = [&](AccelKind accel, WalkKind walk) {
+        const MachineSettings machine{.threads = 1, .block_size = 64, .accel = {accel, walk}};
+        const Traced traced = trace("04", scene, machine, 1);
+        EXPECT_EQ(first_difference(traced, expected, scene.camera.width), "")
+            << name_of(accel) << ", " << name_of(walk);
+        EXPECT_TRUE(same_bits(traced.film, expected.film))
+            << name_of(accel) << ", " << name_of(walk);
+    };
+    same(AccelKind::automatic, WalkKind::automatic);
+    if (scene.triangles.empty()) return;
+    same(AccelKind::none, WalkKind::automatic);
+    using enum WalkKind;
+    for (const WalkKind walk : {stack, ropes, restart}) same(AccelKind::kd, walk);
+    for (const AccelKind accel : {AccelKind::lbvh, AccelKind::sah})
+        for (const WalkKind walk : {stack, skip, parent, trail}) same(accel, walk);
+    for (const WalkKind walk : {stack, trail}) same(AccelKind::wide, walk);
 }
 
 TEST_P(EveryScene, RecursiveLabIsBitIdenticalForAnyThreadCount) {
