@@ -1,37 +1,22 @@
 #include "app/ray_contestants.h"
 
-#include <functional>
-#include <utility>
+#include "app/lab04_rays.h"
 
 namespace raylab::app {
 
-namespace {
-
-using Maker = std::pair<std::string, std::function<bench::RayContestant()>>;
-
-const std::vector<Maker>& makers() {
-    static const std::vector<Maker> all = {
-        {"brute", [] { return bench::brute_force(); }},
-        {"embree", [] { return bench::embree(false); }},
-        {"embree_robust", [] { return bench::embree(true); }},
-    };
-    return all;
-}
-
-} // namespace
-
-const std::vector<std::string>& ray_contestant_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> result;
-        for (const auto& [name, make] : makers()) result.push_back(name);
-        return result;
-    }();
+std::vector<std::string> ray_contestant_names() {
+    std::vector<std::string> names = {"brute", "embree", "embree_robust"};
+    for (const bench::RayContestant& contestant : lab04_ray_contestants())
+        names.push_back(contestant.name);
     return names;
 }
 
 bench::RayContestant ray_contestant(const std::string& name) {
-    for (const auto& [known, make] : makers())
-        if (known == name) return make();
+    if (name == "brute") return bench::brute_force();
+    if (name == "embree") return bench::embree(false);
+    if (name == "embree_robust") return bench::embree(true);
+    for (const bench::RayContestant& contestant : lab04_ray_contestants())
+        if (contestant.name == name) return contestant;
     throw bench::ContestantError("there is no structure '" + name + "'");
 }
 

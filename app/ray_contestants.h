@@ -10,7 +10,7 @@
 namespace raylab::app {
 
 // In the order in which they are shown.
-const std::vector<std::string>& ray_contestant_names();
+std::vector<std::string> ray_contestant_names();
 
 // One of these names. Throws ContestantError if it is not here.
 bench::RayContestant ray_contestant(const std::string& name);

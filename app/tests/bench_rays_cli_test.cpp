@@ -65,6 +65,19 @@ TEST_F(BenchRaysCli, ACameraLooksElsewhere) {
     EXPECT_EQ(hits("0.5,0.9,0.5,0.5,0,0.5"), 64);
 }
 
+// 0: no contestant's answers differ, the labs' not by a bit.
+TEST_F(BenchRaysCli, AllStructuresAgree) {
+    const Outcome outcome = raylab("bench-rays needles:200 city:300 --builds 1 --size 16x16 --rays "
+                                   "primary,ao --verify 256 -o " +
+                                   in("out"));
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    for (const json& race : result()["races"]) {
+        EXPECT_EQ(race["truth"], "brute");
+        for (const json& row : race["rows"])
+            for (const json& cell : row["cells"]) EXPECT_EQ(cell["differing"], 0) << row["name"];
+    }
+}
+
 TEST_F(BenchRaysCli, TooManyTestsForBruteForceAreLeftOutWithAWord) {
     const Outcome outcome = raylab(bench("terrain:100000 --size 512x512"));
     EXPECT_EQ(outcome.code, 2);

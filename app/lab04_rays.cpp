@@ -1,0 +1,179 @@
+// The walks run on the host, ray after ray, as a processor runs them: what a kernel's launch and a
+// pool of rays cost is not in their time.
+#include "app/lab04_rays.h"
+
+#include "labs/04_accel/bvh_sah.h"
+#include "labs/04_accel/kd_build.h"
+#include "labs/04_accel/kd_ropes.h"
+#include "labs/04_accel/skip_tree.h"
+#include "labs/04_accel/structure.h"
+#include "labs/04_accel/walk_bvh_parent.h"
+#include "labs/04_accel/walk_bvh_skip.h"
+#include "labs/04_accel/walk_bvh_stack.h"
+#include "labs/04_accel/walk_bvh_trail.h"
+#include "labs/04_accel/walk_kd_restart.h"
+#include "labs/04_accel/walk_kd_ropes.h"
+#include "labs/04_accel/walk_kd_stack.h"
+#include "labs/04_accel/walk_wide_stack.h"
+#include "labs/04_accel/walk_wide_trail.h"
+#include "labs/04_accel/wide_tree.h"
+
+#include <utility>
+
+namespace raylab::app {
+
+namespace {
+
+using namespace lab04;
+using namespace bench;
+
+template <class T> Array<T> array_of(const std::vector<T>& values) {
+    return {values.data(), static_cast<int>(values.size())};
+}
+
+// What a builder leaves on the host: one of the trees.
+struct Trees {
+    KdTree kd;
+    BvhTree bvh;
+    std::vector<SkipNode> skip;
+    WideTree wide;
+    const std::vector<TriangleBlock>* blocks = nullptr;
+    double bytes = 0;
+
+    StructureView view(std::span<const Triangle> triangles) const {
+        StructureView view;
+        view.leaves = {array_of(*blocks), {triangles.data(), static_cast<int>(triangles.size())}};
+        view.kd = kd.view();
+        view.bvh = {array_of(bvh.nodes)};
+        view.skip = {array_of(skip)};
+        view.wide = {array_of(wide.nodes), wide.extent};
+        return view;
+    }
+};
+
+using Builder = void (*)(Trees& trees, const std::vector<Triangle>& triangles);
+
+void build_kd(Trees& trees, const std::vector<Triangle>& triangles) {
+    trees.kd = build_kd_tree(triangles);
+    trees.blocks = &trees.kd.blocks;
+    trees.bytes = double(trees.kd.bytes());
+}
+
+void build_kd_with_ropes(Trees& trees, const std::vector<Triangle>& triangles) {
+    trees.kd = build_kd_tree(triangles);
+    lay_ropes(trees.kd);
+    trees.blocks = &trees.kd.blocks;
+    trees.bytes = double(trees.kd.bytes());
+}
+
+void build_sah(Trees& trees, const std::vector<Triangle>& triangles) {
+    trees.bvh = build_bvh_sah(triangles);
+    trees.blocks = &trees.bvh.blocks;
+    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
+}
+
+// The binary nodes are not needed once the links are laid.
+void build_skip(Trees& trees, const std::vector<Triangle>& triangles) {
+    build_sah(trees, triangles);
+    trees.skip = lay_skip_links(trees.bvh);
+    trees.bytes = double(trees.skip.size() * sizeof(SkipNode) + trees.bvh.block_bytes());
+    trees.bvh.nodes = {};
+}
+
+void build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles) {
+    trees.wide = build_wide(build_bvh_sah(triangles));
+    trees.blocks = &trees.wide.blocks;
+    trees.bytes = double(trees.wide.node_bytes() + trees.wide.block_bytes());
+}
+
+// walk(structure, query): one of the lab's.
+template <class Walk> class WalkedTree : public RayStructure {
+  public:
+    WalkedTree(std::unique_ptr<Trees> trees, std::span<const Triangle> triangles, int threads)
+        : trees_(std::move(trees)), view_(trees_->view(triangles)), threads_(threads) {}
+
+    double closest(std::span<const Ray> rays, std::span<RayAnswer> answers) const override {
+        return seconds_in_parts(rays.size(), threads_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                ClosestHit query(view_.leaves, rays[i]);
+                Walk()(view_, query);
+                answers[i] = {query.hit().t, query.hit().index};
+            }
+        });
+    }
+    double any(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override {
+        return seconds_in_parts(rays.size(), threads_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                AnyHit query(view_.leaves, rays[i]);
+                Walk()(view_, query);
+                blocked[i] = query.found();
+            }
+        });
+    }
+
+    std::optional<RayCounts> count_closest(std::span<const Ray> rays) const override {
+        return count<ClosestHit>(rays);
+    }
+    std::optional<RayCounts> count_any(std::span<const Ray> rays) const override {
+        return count<AnyHit>(rays);
+    }
+
+  private:
+    template <class Query> RayCounts count(std::span<const Ray> rays) const {
+        RayCounts counts;
+        for (const Ray& ray : rays) {
+            Query query(view_.leaves, ray);
+            Walk()(view_, query);
+            counts.nodes += query.counts().nodes;
+            counts.triangles += double(query.counts().blocks) * triangles_per_block;
+        }
+        return counts;
+    }
+
+    std::unique_ptr<Trees> trees_;
+    StructureView view_;
+    int threads_;
+};
+
+template <class Walk>
+RayContestant contestant(const char* name, const char* title, Builder build, Walk) {
+    return {name, title, true, std::numeric_limits<double>::infinity(),
+            [build](std::span<const Triangle> triangles, int threads) {
+                const std::vector<Triangle> copied(triangles.begin(), triangles.end());
+                auto trees = std::make_unique<Trees>();
+                const auto start = std::chrono::steady_clock::now();
+                build(*trees, copied);
+                const double seconds = seconds_since(start), bytes = trees->bytes;
+                return BuiltStructure{
+                    std::make_unique<WalkedTree<Walk>>(std::move(trees), triangles, threads),
+                    seconds, bytes};
+            }};
+}
+
+} // namespace
+
+std::vector<RayContestant> lab04_ray_contestants() {
+    using View = StructureView;
+    return {
+        contestant("kd_stack", "KD-tree, a stack", build_kd,
+                   [](const View& s, auto& query) { walk_kd_stack(s.kd, query); }),
+        contestant("kd_ropes", "KD-tree, ropes", build_kd_with_ropes,
+                   [](const View& s, auto& query) { walk_kd_ropes(s.kd, query); }),
+        contestant("kd_restart", "KD-tree, from the root again", build_kd,
+                   [](const View& s, auto& query) { walk_kd_restart(s.kd, query); }),
+        contestant("sah_stack", "binary boxes by area, a stack", build_sah,
+                   [](const View& s, auto& query) { walk_bvh_stack(s.bvh, query); }),
+        contestant("sah_skip", "binary boxes by area, skip links", build_skip,
+                   [](const View& s, auto& query) { walk_bvh_skip(s.skip, query); }),
+        contestant("sah_parent", "binary boxes by area, parent pointers", build_sah,
+                   [](const View& s, auto& query) { walk_bvh_parent(s.bvh, query); }),
+        contestant("sah_trail", "binary boxes by area, a trail of bits", build_sah,
+                   [](const View& s, auto& query) { walk_bvh_trail(s.bvh, query); }),
+        contestant("wide_stack", "eight compressed boxes a node, a stack", build_eight_wide,
+                   [](const View& s, auto& query) { walk_wide_stack(s.wide, query); }),
+        contestant("wide_trail", "eight compressed boxes a node, a trail of bits", build_eight_wide,
+                   [](const View& s, auto& query) { walk_wide_trail(s.wide, query); }),
+    };
+}
+
+} // namespace raylab::app
