@@ -54,13 +54,15 @@ struct TriangleGlance {
 // With size = |x| + |y| + |z| of a corner in ray space, x and y are off by less than 5 u size (the
 // subtractions, the slope with its two roundings, its product), an edge function e of two corners
 // by less than 13 u width size, where width = |x| + |y|: margin = 16 u width size bounds that, and
-// what double leaves open besides. On the triangle the depth
+// what double leaves open besides. (`errors`: fewer are for the test that shows they are too few.)
+// On the triangle the depth
 //     z = (e_bc a.z + e_ca b.z + e_ab c.z) / (e_bc + e_ca + e_ab)
 // lies between those of the corners; inside, where the edge functions have the same sign, it is
 // off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A comparison that
 // a NaN makes false leaves the triangle in, and the interval of a triangle that is not surely
 // passed inside is that of its corners.
-HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, float t_max) {
+HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, float t_max,
+                             float errors = 16) {
     const auto larger = [](float x, float y) { return x > y ? x : y; };
     const auto smaller = [](float x, float y) { return x < y ? x : y; };
     // Below the normal numbers a product is off by 2^-150, whatever its size.
@@ -79,7 +81,7 @@ HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, f
         const float width =
             larger(larger(fabsf(ax) + fabsf(ay), fabsf(bx) + fabsf(by)), fabsf(cx) + fabsf(cy));
         const float depth = larger(larger(fabsf(az), fabsf(bz)), fabsf(cz));
-        const float margin = 16 * u * width * (width + depth) + underflow;
+        const float margin = errors * u * width * (width + depth) + underflow;
 
         const float ab = ax * by - ay * bx, bc = bx * cy - by * cx, ca = cx * ay - cy * ax;
         const float least = smaller(smaller(ab, bc), ca), most = larger(larger(ab, bc), ca);
@@ -88,7 +90,8 @@ HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, f
 
         const float first = smaller(smaller(az, bz), cz), last = larger(larger(az, bz), cz);
         const float z = bc * inv_area * az + ca * inv_area * bz + ab * inv_area * cz;
-        const float z_error = 4 * margin * (last - first) * fabsf(inv_area) + 12 * u * depth;
+        // In this order no product underflows before it is divided.
+        const float z_error = 4 * margin * fabsf(inv_area) * (last - first) + 12 * u * depth;
         const float from = inside ? z - z_error : first - 2 * u * depth;
         const float to = inside ? z + z_error : last + 2 * u * depth;
         // Along a negative axis the far end of the depths comes first.
