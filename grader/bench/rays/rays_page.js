@@ -3,12 +3,24 @@
 // Rows that have figures, with their place in the table (and so their colour).
 const rows = race => race.rows.map((row, i) => ({ ...row, i })).filter(row => !row.failure);
 
+// There are eight colours; from the ninth structure on lines are dashed, and bars paler.
+const style = i => colour(i) + (i >= 8 ? " second" : "");
+
 // Bars side by side, a group for each kind of ray.
 function plotRays(figure) {
     const race = bench.races[Number(figure.dataset.race)], drawn = rows(race);
     if (!drawn.length) return figure.remove();
     const kinds = drawn[0].cells.map(cell => cell.rays);
-    const width = 1120, height = 300, box = { left: 58, right: 1100, top: 34, bottom: 262 };
+    const width = 1120, box = { left: 58, right: 1100 };
+    let x = box.left + 110, legend = 14; // names wrap
+    const names = drawn.map(row => {
+        const wide = 26 + 7.6 * row.name.length;
+        if (x + wide > box.right) x = box.left + 110, legend += 18;
+        x += wide;
+        return { row, x: x - wide, y: legend };
+    });
+    box.top = legend + 26, box.bottom = box.top + 228;
+    const height = box.bottom + 38;
     const svg = canvas(figure, width, height, "million rays a second of each structure");
     const top = Math.max(...drawn.flatMap(row => row.cells.map(c => c.mrays_per_second.high ?? c.mrays_per_second.median ?? 0)), 1e-9);
     const y = v => box.bottom - Math.min(1, v / top) * (box.bottom - box.top);
@@ -25,7 +37,7 @@ function plotRays(figure) {
         drawn.forEach((row, j) => {
             const cell = row.cells[k], m = cell.mrays_per_second, x = middle + (j - drawn.length / 2) * bar;
             if (m.median === null) return;
-            const shape = { class: `${cell.agrees ? "fill" : "differs-bar"} ${colour(row.i)}`, x: x + 1.5, y: y(m.median),
+            const shape = { class: `${cell.agrees ? "fill" : "differs-bar"} ${style(row.i)}`, x: x + 1.5, y: y(m.median),
                             width: Math.max(1, bar - 3), height: box.bottom - y(m.median), rx: 2 };
             add(add(svg, "rect", shape), "title", {}, `${row.title}, ${kind}: ${short(m.median)} Mrays/s` +
                 (cell.agrees ? "" : ", answers differ"));
@@ -36,10 +48,7 @@ function plotRays(figure) {
                     short(Number(cell.ratio.median.toPrecision(2))));
         });
     });
-    drawn.reduce((x, row) => {
-        add(svg, "text", { class: `name ${colour(row.i)}`, x, y: 14 }, row.name);
-        return x + 26 + 7.6 * row.name.length;
-    }, box.left + 110);
+    for (const { row, x, y } of names) add(svg, "text", { class: `name ${colour(row.i)}`, x, y }, row.name);
 }
 
 // One line a structure over the meshes' sizes: `value(row)` is what is drawn, or nothing.
@@ -49,7 +58,7 @@ function plotGrowth(figure, title, value, has_slope) {
         for (const row of rows(race)) {
             const v = value(row);
             if (!(v > 0)) continue;
-            if (!lines.has(row.name)) lines.set(row.name, { c: colour(row.i), points: [] });
+            if (!lines.has(row.name)) lines.set(row.name, { c: colour(row.i), line: style(row.i), points: [] });
             lines.get(row.name).points.push({ n: race.triangles, v });
         }
     const points = [...lines.values()].flatMap(line => line.points);
@@ -78,8 +87,8 @@ function plotGrowth(figure, title, value, has_slope) {
                                   x2: x.scale(x.high), y2: y.scale(x.high * 10 ** c) });
     }
     const labels = [];
-    for (const [name, { c, points }] of lines) {
-        add(svg, "polyline", { class: `line stroke ${c}`, points: points.map(p => `${x.scale(p.n)},${y.scale(p.v)}`).join(" ") });
+    for (const [name, { c, line, points }] of lines) {
+        add(svg, "polyline", { class: `line stroke ${line}`, points: points.map(p => `${x.scale(p.n)},${y.scale(p.v)}`).join(" ") });
         for (const p of points)
             add(add(svg, "circle", { class: `fill ${c}`, cx: x.scale(p.n), cy: y.scale(p.v), r: 3.5 }), "title", {},
                 `${name}, ${p.n} triangles: ${short(p.v)}`);
