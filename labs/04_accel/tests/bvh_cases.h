@@ -40,10 +40,12 @@ inline std::string name(BoxWalk kind) {
 
 // Triangles, a binary tree over them, and what is made of it: a line with skip links, a wide tree.
 struct BvhCase {
-    explicit BvhCase(std::vector<Triangle> t) : BvhCase(t, build_bvh_sah(t)) {}
+    explicit BvhCase(const std::vector<Triangle>& t) : BvhCase(t, build_bvh_sah(t)) {
+        wide = build_wide(tree);
+    }
+    // Of this tree, without a wide one.
     BvhCase(std::vector<Triangle> t, BvhTree binary)
-        : triangles(std::move(t)), tree(std::move(binary)), line(lay_skip_links(tree)),
-          wide(build_wide(tree)) {}
+        : triangles(std::move(t)), tree(std::move(binary)), line(lay_skip_links(tree)) {}
 
     template <class Query> void walk(BoxWalk kind, Query& query) const {
         const BvhView bvh{{tree.nodes.data(), int(tree.nodes.size())}};
