@@ -1,0 +1,133 @@
+// Tasks 4.7 and 4.8: walks through boxes without a stack find what brute force finds, to the last
+// bit, and end.
+#include "common/task/facts.h"
+#include "labs/04_accel/tests/bvh_cases.h"
+
+namespace raylab::lab04 {
+
+namespace {
+
+using namespace task;
+
+void find_all(const std::string& what, std::vector<Triangle> triangles,
+              const std::vector<Ray>& rays, BoxWalk walk, const std::string& when_endless,
+              const std::string& cause) {
+    const std::string wrong = difference(BvhCase(std::move(triangles)), walk, rays);
+    const bool endless = wrong.find("does not end") != std::string::npos;
+    expect(wrong.empty(), fmt::format("{}: {}; the likely cause: {}", what, wrong,
+                                      endless ? when_endless : cause));
+}
+
+void find_everything(BoxWalk walk, const std::string& when_endless, const std::string& cause) {
+    find_all("500 triangles anywhere", soup(500, 0.3f), any_rays(3000), walk, when_endless, cause);
+    find_all("512 triangles of a surface", hills(16), any_rays(3000), walk, when_endless, cause);
+    find_all("400 triangles on a grid", on_grid(400), grid_rays(3000), walk, when_endless, cause);
+    for (const int n : {0, 1, 4, 5, 9})
+        find_all(fmt::format("{} triangles", n), soup(n, 1), any_rays(300), walk, when_endless,
+                 "a tree without nodes, or a root with one leaf");
+}
+
+// What a ray visits, on average.
+struct Visits {
+    double nodes = 0, blocks = 0;
+};
+Visits visits(const BvhCase& scene, BoxWalk walk, const std::vector<Ray>& rays = rays_down(3000)) {
+    Visits mean;
+    for (const Ray& ray : rays) {
+        const WalkCounts counts = scene.answer(walk, ray).closest;
+        mean.nodes += counts.nodes / double(rays.size());
+        mean.blocks += counts.blocks / double(rays.size());
+    }
+    return mean;
+}
+
+bool contains(const Bounds& outer, const Bounds& inner) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(outer.low[axis] <= inner.low[axis] && outer.high[axis] >= inner.high[axis]))
+            return false;
+    return true;
+}
+
+// The place after all that is below line[at], found by going through it; -1 if a link is wrong.
+int end_of(const std::vector<SkipNode>& line, int at) {
+    const SkipNode& node = line[at];
+    int end = at + 1;
+    if (node.block < 0)
+        for (int child = 0; child < 2; ++child) {
+            if (end < 0 || end >= int(line.size()) || !contains(node.box, line[end].box)) return -1;
+            end = end_of(line, end);
+        }
+    return end == node.skip ? end : -1;
+}
+
+TEST(Task4_7, EachLinkLeadsPastWhatIsBelow) {
+    for (const auto& triangles : {hills(12), soup(300, 0.3f), soup(2, 1)}) {
+        const BvhCase scene(triangles);
+        std::vector<int> seen(scene.tree.blocks.size());
+        for (const SkipNode& node : scene.line)
+            if (node.block >= 0) ++seen[node.block];
+        for (const int times : seen)
+            if (!expect_equal("places of a block of triangles in the line", times, 1,
+                              "each leaf of the tree stands in the line once"))
+                return;
+        int at = 0;
+        while (at >= 0 && at < int(scene.line.size())) at = end_of(scene.line, at);
+        if (!expect(at == int(scene.line.size()),
+                    "a node's skip link should lead to the first node that is not below it, its "
+                    "first child should be the next in the line, and its box should contain its "
+                    "children's; the likely cause: skip is set before all that is below is laid"))
+            return;
+    }
+}
+
+TEST(Task4_7, RaysFindWhatBruteForceFinds) {
+    find_everything(BoxWalk::skip, "a link that leads back, or a walk that stays at a leaf",
+                    "a leaf on the way is passed over: on a miss go to node.skip, else to the next "
+                    "in the line");
+}
+
+TEST(Task4_7, AMissSkipsWhatIsBelow) {
+    const BvhCase scene(hills(100));
+    const Visits stack = visits(scene, BoxWalk::stack), skip = visits(scene, BoxWalk::skip);
+    expect(
+        skip.nodes <= 6 * stack.nodes,
+        fmt::format("a ray visits {:.1f} nodes by skip links of the {} there are, and {:.1f} "
+                    "with a stack, where one is a pair; the likely cause: links lead to the next "
+                    "node",
+                    skip.nodes, scene.line.size(), stack.nodes));
+}
+
+TEST(Task4_7, NothingBehindAHitIsLookedAt) {
+    const BvhCase dense(soup(3000, 0.4f));
+    const std::vector<Ray> rays = any_rays(1000);
+    const Visits stack = visits(dense, BoxWalk::stack, rays),
+                 skip = visits(dense, BoxWalk::skip, rays);
+    expect(skip.blocks <= 2 * stack.blocks,
+           fmt::format("among 3000 large triangles a ray tests {:.1f} blocks by skip links, with a "
+                       "stack {:.1f}; the likely cause: boxes are not tested against query.reach()",
+                       skip.blocks, stack.blocks));
+}
+
+TEST(Task4_8, RaysFindWhatBruteForceFinds) {
+    find_everything(BoxWalk::parent,
+                    "coming back from the far child the walk must go up, not down again",
+                    "a child is passed over: back from the near child, look at the far one");
+}
+
+TEST(Task4_8, TheNearChildComesFirst) {
+    const BvhCase scene(hills(100));
+    const Visits stack = visits(scene, BoxWalk::stack), parents = visits(scene, BoxWalk::parent);
+    expect(parents.nodes <= 3 * stack.nodes,
+           fmt::format("a ray visits {:.1f} nodes by parent pointers, with a stack {:.1f}, and "
+                       "should visit at most 3 times as many; the likely cause: children that the "
+                       "ray misses are gone into",
+                       parents.nodes, stack.nodes));
+    expect(parents.blocks <= 1.25 * stack.blocks,
+           fmt::format("a ray tests {:.2f} blocks by parent pointers, with a stack {:.2f}; the "
+                       "likely cause: the far child is visited first",
+                       parents.blocks, stack.blocks));
+}
+
+} // namespace
+
+} // namespace raylab::lab04
