@@ -27,8 +27,8 @@ static_assert(sizeof(BvhNode) == 64, "a cache line");
 constexpr int no_child = -1 - 0x7fffffff; // the lowest int: no block has this number
 constexpr bool is_leaf(int child) { return child < 0; }
 
-// No deeper than this: a stack of so many nodes, or bits, is enough for every walk. Codes of 30 bits
-// and numbers of up to 2^31 leaves behind them (karras.h) cannot make a longer path.
+// No deeper than this: a stack of so many nodes, or bits, is enough for every walk. Codes of 30
+// bits and numbers of up to 2^31 leaves behind them (karras.h) cannot make a longer path.
 constexpr int max_bvh_depth = 62;
 
 struct BvhView {
@@ -42,26 +42,33 @@ struct PairCrossing {
 };
 
 // A comparison that a NaN makes false leaves `b`: one instruction on either machine.
-HD float larger(float a, float b) { return a > b ? a : b; }
-HD float smaller(float a, float b) { return a < b ? a : b; }
+HD_HOT float larger(float a, float b) { return a > b ? a : b; }
+HD_HOT float smaller(float a, float b) { return a < b ? a : b; }
 
-// Which of the two boxes does the ray cross within [0, t_max]? As crosses() in bounds.h, for both
-// at once: near faces by the sign of d; NaN leaves the interval as it was; three roundings a face.
-HD_HOT PairCrossing cross(const BvhNode& node, const SlabRay& ray, float t_max) {
-    float near0 = 0, near1 = 0, far0 = t_max, far1 = t_max;
-    const auto narrow = [&](const float(&side)[2][2], int negative, float o, float inv_d) {
-        const float* enter = side[negative];
-        const float* leave = side[1 - negative];
+// Where the ray is within both boxes, as far as the axes looked at tell.
+struct PairInterval {
+    float near0, near1, far0, far1;
+
+    // sides: the faces of the boxes across one axis. negative: the ray goes down that axis.
+    HD_HOT void narrow(const float (&sides)[2][2], bool negative, float o, float inv_d) {
+        const float* enter = sides[negative];
+        const float* leave = sides[1 - negative];
         near0 = larger((enter[0] - o) * inv_d, near0);
         near1 = larger((enter[1] - o) * inv_d, near1);
         far0 = smaller((leave[0] - o) * inv_d, far0);
         far1 = smaller((leave[1] - o) * inv_d, far1);
-    };
-    narrow(node.box[0], ray.negative[0], ray.o.x, ray.inv_d.x);
-    narrow(node.box[1], ray.negative[1], ray.o.y, ray.inv_d.y);
-    narrow(node.box[2], ray.negative[2], ray.o.z, ray.inv_d.z);
+    }
+};
+
+// Which of the two boxes does the ray cross within [0, t_max]? As crosses() in bounds.h, for both
+// at once: near faces by the sign of d; NaN leaves the interval as it was; three roundings a face.
+HD_HOT PairCrossing cross(const BvhNode& node, const SlabRay& ray, float t_max) {
+    PairInterval t{0, 0, t_max, t_max};
+    t.narrow(node.box[0], ray.negative[0], ray.o.x, ray.inv_d.x);
+    t.narrow(node.box[1], ray.negative[1], ray.o.y, ray.inv_d.y);
+    t.narrow(node.box[2], ray.negative[2], ray.o.z, ray.inv_d.z);
     constexpr float room = 1 + 2 * gamma_bound(3);
-    return {near0, near1, near0 <= far0 * room, near1 <= far1 * room};
+    return {t.near0, t.near1, t.near0 <= t.far0 * room, t.near1 <= t.far1 * room};
 }
 
 } // namespace raylab::lab04

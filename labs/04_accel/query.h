@@ -30,7 +30,7 @@ constexpr std::uint32_t most_steps = 1u << 22;
 
 class Query {
   public:
-    HD Query(const Leaves& leaves, const Ray& ray)
+    HD_HOT Query(const Leaves& leaves, const Ray& ray)
         : slab(ray), leaves_(leaves), ray_(ray), glance_(ray, slab.inv_d) {}
 
     const SlabRay slab; // the ray, for box tests
@@ -44,7 +44,7 @@ class Query {
     HD bool step() { return ++counts_.nodes < most_steps; }
 
   protected:
-    HD TriangleGlance look_at(int block, float reach) {
+    HD_HOT TriangleGlance look_at(int block, float reach) {
         ++counts_.blocks;
         return glance(leaves_.blocks[block], glance_, reach);
     }
@@ -59,7 +59,7 @@ class Query {
     HD int id_of(int index) const { return leaves_.triangles[index].tags.id; }
 
     // Of the lane's triangle the glance knows already that it is hit.
-    HD bool is_hit(const TriangleGlance& seen, int lane) const {
+    HD_HOT bool is_hit(const TriangleGlance& seen, int lane) const {
         return seen.sure >> lane & 1 && seen.begin[lane] > 0 && seen.end[lane] < ray().t_max;
     }
 
@@ -77,7 +77,7 @@ class Query {
 // glance's interval decides then, and t is computed once, when the walk is over.
 class ClosestHit : public Query {
   public:
-    HD ClosestHit(const Leaves& leaves, const Ray& ray) : Query(leaves, ray), reach_(ray.t_max) {}
+    HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray) : Query(leaves, ray), reach_(ray.t_max) {}
 
     // A box that was crossed once may lie out of reach later.
     static constexpr bool reach_shrinks = true;

@@ -28,7 +28,7 @@ struct GlanceRay {
     float inv_dz;     // t = z * inv_dz at the depth z along the main axis
 
     // inv_d: 1 / ray.d, rounded.
-    HD GlanceRay(const Ray& ray, Vec3 inv_d) {
+    HD_HOT GlanceRay(const Ray& ray, Vec3 inv_d) {
         const Vec3 size = abs(ray.d);
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;

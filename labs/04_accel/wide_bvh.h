@@ -36,9 +36,9 @@ static_assert(sizeof(WideNode) == 128, "the handout promises 128 bytes a node");
 
 constexpr int face_bits = 10, last_face = (1 << face_bits) - 1;
 
-HD std::int32_t bits_of(float value) { return __builtin_bit_cast(std::int32_t, value); }
+HD_HOT std::int32_t bits_of(float value) { return __builtin_bit_cast(std::int32_t, value); }
 
-HD float grid_face(std::uint32_t faces, int shift) {
+HD_HOT float grid_face(std::uint32_t faces, int shift) {
     return static_cast<float>(static_cast<int>(faces >> shift & last_face));
 }
 
@@ -68,10 +68,10 @@ HD int count_bits(std::uint32_t bits) {
 HD std::uint32_t wide_slots(const WideNode& node) { return node.inner | node.leaf; }
 
 // The node or block in a slot: those before it are counted.
-HD int child_in(const WideNode& node, int slot) {
+HD_HOT int child_in(const WideNode& node, int slot) {
     return node.first_child + count_bits(node.inner & ((1u << slot) - 1));
 }
-HD int block_in(const WideNode& node, int slot) {
+HD_HOT int block_in(const WideNode& node, int slot) {
     return node.first_block + count_bits(node.leaf & ((1u << slot) - 1));
 }
 
@@ -89,7 +89,7 @@ struct WideRay {
     bool any_parallel;
     int octant; // the bits of negative
 
-    HD WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : inv_d(inverse), o(ray.o) {
+    HD_HOT WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : inv_d(inverse), o(ray.o) {
         const Vec3 size = abs(ray.o) + extent;
         any_parallel = false;
         octant = 0;
@@ -126,7 +126,7 @@ HD std::uint32_t between_faces(const WideNode& node, const WideRay& ray) {
 
 // The first of the slots in this order; slots != 0. Branches, no arithmetic: a processor goes on
 // with the slot it expects, and need not wait for the test of the boxes.
-HD int first_in_order(std::uint32_t slots, std::uint32_t order) {
+HD_HOT int first_in_order(std::uint32_t slots, std::uint32_t order) {
     for (int k = 1; k < wide_children; ++k, order >>= 3)
         if (slots >> (order & 7) & 1) break;
     return order & 7;
