@@ -260,7 +260,7 @@ Run add_bench_rays(CLI::App& app) {
     app.footer("Examples:\n"
                "  raylab bench-rays\n"
                "  raylab bench-rays bunny.glb dragon.glb --structures embree,embree_robust\n"
-               "  raylab bench-rays sponza.glb --camera -150,40,0,0,40,0 --size 512x512\n"
+               "  raylab bench-rays sponza.glb --camera -100,20,-4,100,40,-4\n"
                "  raylab bench-rays --scaling terrain --triangles 100..4000000 --repeats 9");
     return [options] { return run_bench_rays(*options); };
 }
