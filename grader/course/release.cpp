@@ -121,8 +121,11 @@ Given without_answers(const LabSheet& sheet, const std::string& file,
 } // namespace
 
 std::string squeezed(const std::string& line) {
-    // A name for a field, or for what one call returns.
-    static const std::regex plain(R"(const[\w:<>&]+=[\w.:<>]+(\([\w,.]*\))?;)");
+    // A name for a field, an element, or for what one call returns; the head of a loop that counts
+    // or goes through all.
+    static const std::regex plain(
+        R"(const[\w:<>&]+=[\w.:<>]+(\[[\w.]+\])?(\(([\w,.]|\(\))*\))?;)"
+        R"(|for\(int\w+=0;\w+<[\w.]+;\+\+\w+\)\{?|for\(const\w+&\w+:[\w.]+\)\{?)");
     constexpr std::size_t shortest = 28;
     std::string code = line.substr(0, line.find("//"));
     std::erase_if(code, [](unsigned char c) { return std::isspace(c); });
