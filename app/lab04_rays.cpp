@@ -2,6 +2,7 @@
 // pool of rays cost is not in their time.
 #include "app/lab04_rays.h"
 
+#include "labs/04_accel/bvh_lbvh_host.h"
 #include "labs/04_accel/bvh_sah.h"
 #include "labs/04_accel/kd_build.h"
 #include "labs/04_accel/kd_ropes.h"
@@ -18,6 +19,7 @@
 #include "labs/04_accel/walk_wide_trail.h"
 #include "labs/04_accel/wide_tree.h"
 
+#include <optional>
 #include <utility>
 
 namespace raylab::app {
@@ -51,39 +53,57 @@ struct Trees {
     }
 };
 
-using Builder = void (*)(Trees& trees, const std::vector<Triangle>& triangles);
+// Returns its seconds, if what has passed is not what it took.
+using Builder = std::optional<double> (*)(Trees& trees, const std::vector<Triangle>& triangles,
+                                          int threads);
 
-void build_kd(Trees& trees, const std::vector<Triangle>& triangles) {
+std::optional<double> build_kd(Trees& trees, const std::vector<Triangle>& triangles, int) {
     trees.kd = build_kd_tree(triangles);
     trees.blocks = &trees.kd.blocks;
     trees.bytes = double(trees.kd.bytes());
+    return std::nullopt;
 }
 
-void build_kd_with_ropes(Trees& trees, const std::vector<Triangle>& triangles) {
+std::optional<double> build_kd_with_ropes(Trees& trees, const std::vector<Triangle>& triangles,
+                                          int) {
     trees.kd = build_kd_tree(triangles);
     lay_ropes(trees.kd);
     trees.blocks = &trees.kd.blocks;
     trees.bytes = double(trees.kd.bytes());
+    return std::nullopt;
 }
 
-void build_sah(Trees& trees, const std::vector<Triangle>& triangles) {
+std::optional<double> build_sah(Trees& trees, const std::vector<Triangle>& triangles, int) {
     trees.bvh = build_bvh_sah(triangles);
     trees.blocks = &trees.bvh.blocks;
     trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
+    return std::nullopt;
+}
+
+// On the device, whose copies are not part of building.
+std::optional<double> build_morton(Trees& trees, const std::vector<Triangle>& triangles,
+                                   int threads) {
+    double seconds = 0;
+    trees.bvh = build_lbvh(triangles, threads, seconds);
+    trees.blocks = &trees.bvh.blocks;
+    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
+    return seconds;
 }
 
 // The binary nodes are not needed once the links are laid.
-void build_skip(Trees& trees, const std::vector<Triangle>& triangles) {
-    build_sah(trees, triangles);
+std::optional<double> build_skip(Trees& trees, const std::vector<Triangle>& triangles, int) {
+    build_sah(trees, triangles, 1);
     trees.skip = lay_skip_links(trees.bvh);
     trees.bytes = double(trees.skip.size() * sizeof(SkipNode) + trees.bvh.block_bytes());
     trees.bvh.nodes = {};
+    return std::nullopt;
 }
 
-void build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles) {
+std::optional<double> build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles, int) {
     trees.wide = build_wide(build_bvh_sah(triangles));
     trees.blocks = &trees.wide.blocks;
     trees.bytes = double(trees.wide.node_bytes() + trees.wide.block_bytes());
+    return std::nullopt;
 }
 
 // walk(structure, query): one of the lab's.
@@ -142,8 +162,8 @@ RayContestant contestant(const char* name, const char* title, Builder build, Wal
                 const std::vector<Triangle> copied(triangles.begin(), triangles.end());
                 auto trees = std::make_unique<Trees>();
                 const auto start = std::chrono::steady_clock::now();
-                build(*trees, copied);
-                const double seconds = seconds_since(start), bytes = trees->bytes;
+                const std::optional<double> alone = build(*trees, copied, threads);
+                const double seconds = alone.value_or(seconds_since(start)), bytes = trees->bytes;
                 return BuiltStructure{
                     std::make_unique<WalkedTree<Walk>>(std::move(trees), triangles, threads),
                     seconds, bytes};
@@ -161,6 +181,8 @@ std::vector<RayContestant> lab04_ray_contestants() {
                    [](const View& s, auto& query) { walk_kd_ropes(s.kd, query); }),
         contestant("kd_restart", "KD-tree, from the root again", build_kd,
                    [](const View& s, auto& query) { walk_kd_restart(s.kd, query); }),
+        contestant("lbvh_trail", "binary boxes along the Morton curve, a trail of bits",
+                   build_morton, [](const View& s, auto& query) { walk_bvh_trail(s.bvh, query); }),
         contestant("sah_stack", "binary boxes by area, a stack", build_sah,
                    [](const View& s, auto& query) { walk_bvh_stack(s.bvh, query); }),
         contestant("sah_skip", "binary boxes by area, skip links", build_skip,

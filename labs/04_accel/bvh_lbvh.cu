@@ -2,12 +2,14 @@
 #include "labs/04_accel/bvh_lbvh.h"
 
 #include "common/device/launch.h"
+#include "labs/04_accel/bvh_lbvh_host.h"
 #include "labs/04_accel/grid.h"
 #include "labs/04_accel/karras.h"
 #include "labs/04_accel/morton.h"
 #include "labs/04_accel/radix_sort.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace raylab::lab04 {
 
@@ -214,6 +216,17 @@ BvhTree to_host(const DeviceBvh& bvh) {
         tree.depth = std::max(tree.depth, depth);
     }
     return tree;
+}
+
+BvhTree build_lbvh(const std::vector<Triangle>& triangles, int threads, double& seconds) {
+    configure_machine({.threads = threads});
+    const DeviceArray<Triangle> on_device(triangles);
+    check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
+    const auto start = std::chrono::steady_clock::now();
+    const DeviceBvh bvh = build_lbvh({on_device.data(), static_cast<int>(triangles.size())});
+    check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {bvh.nodes.to_host(), bvh.blocks.to_host(), 0};
 }
 
 } // namespace raylab::lab04
