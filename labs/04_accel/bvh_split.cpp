@@ -1,5 +1,6 @@
 #include "labs/04_accel/bvh_split.h"
 
+#include "common/task/not_implemented.h"
 #include "labs/04_accel/triangle_block.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ Bounds common(const Bounds& a, const Bounds& b) {
 
 // The best plane between two of the bins, if it beats `best`.
 void choose_plane(const Bins& bin, int axis, Split& best) {
+    //[ task 4.9
     std::array<Bounds, bins> right_box;
     std::array<int, bins> right_count;
     Bounds box;
@@ -68,6 +70,8 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
         const bool apart = glm::any(glm::greaterThan(both.low, both.high));
         best = {cost, axis, plane, 0, apart ? 0 : half_area(both)};
     }
+    //| not_implemented("4.9", "choose_plane()");
+    //]
 }
 
 } // namespace
@@ -85,11 +89,14 @@ Split best_cut_between(std::span<const BuildItem> items, const Bounds& centres) 
         if (!has_extent(centres, axis)) continue;
         const Slices slice(centres, axis);
         Bins bin;
+        //[ task 4.9
         for (const BuildItem& item : items) {
             Bin& b = bin[slice(item.centre(axis))];
             b.box.include(item.box);
             ++b.starts, ++b.ends;
         }
+        //| not_implemented("4.9", "best_cut_between()");
+        //]
         choose_plane(bin, axis, best);
     }
     return best;
