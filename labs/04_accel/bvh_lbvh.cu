@@ -7,6 +7,7 @@
 #include "labs/04_accel/karras.h"
 #include "labs/04_accel/morton.h"
 #include "labs/04_accel/radix_sort.h"
+#include "labs/04_accel/scan.h"
 
 #include <algorithm>
 #include <chrono>
@@ -55,52 +56,83 @@ __global__ void codes_kernel(Array<Triangle> triangles, Bounds centres, std::uin
     indices[i] = static_cast<int>(i);
 }
 
-// A leaf is four triangles that follow each other on the curve, and its code that of the first.
-__global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
-                              const int* indices, int n, TriangleBlock* blocks,
-                              std::uint32_t* leaf_codes) {
-    const std::int64_t leaf = global_index();
-    if (leaf * triangles_per_block >= n) return;
-    TriangleBlock four{};
-    for (int lane = 0; lane < triangles_per_block; ++lane) {
-        const std::int64_t i = leaf * triangles_per_block + lane;
-        const bool filled = i < n && codes[i] != no_code;
-        four.index[lane] = filled ? indices[i] : -1;
-        for (int corner = 0; filled && corner < 3; ++corner)
-            for (int axis = 0; axis < 3; ++axis)
-                four.v[corner][axis][lane] = triangles[indices[i]].v[corner][axis];
-    }
-    blocks[leaf] = four;
-    leaf_codes[leaf] = codes[leaf * triangles_per_block];
-}
-
 // The axis along which two halves of a range lie apart: that of the first bit that differs.
 __device__ int split_axis(Array<std::uint32_t> codes, const KarrasNode& node) {
     const std::uint32_t differing = codes[node.split] ^ codes[node.split + 1];
     return differing == 0 ? 0 : (leading_zeros(differing) - (32 - 3 * morton_bits) + 3) % 3;
 }
 
-// A thread an inner node: children, and itself as their parent.
-__global__ void hierarchy_kernel(Array<std::uint32_t> codes, BvhNode* nodes, int* leaf_parents) {
+__device__ bool is_large(int first, int last) { return last - first >= triangles_per_block; }
+
+// A thread an inner node over single triangles. Those over more than a block are kept: kept[i] = 1.
+// What hangs in them and is no larger is a leaf; starts[i] = 1 where one begins. Both 0 before.
+__global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std::uint32_t* starts) {
     const std::int64_t thread = global_index();
     if (thread >= codes.size - 1) return;
     const int i = static_cast<int>(thread);
     //[ task 4.5
     const KarrasNode node = karras_node(codes, i);
-    const int left = node.left_is_leaf() ? ~node.split : node.split;
-    const int right = node.right_is_leaf() ? ~(node.split + 1) : node.split + 1;
-    nodes[i].axis = split_axis(codes, node);
+    if (!is_large(node.first, node.last)) return;
+    kept[i] = 1;
+    if (!is_large(node.first, node.split)) starts[node.first] = 1;
+    if (!is_large(node.split + 1, node.last)) starts[node.split + 1] = 1;
+    //| // Four in a row are a leaf, and as many nodes as it takes are kept.
+    //| not_implemented("4.5", "cut_kernel()");
+    //| const int leaves = (codes.size + triangles_per_block - 1) / triangles_per_block;
+    //| kept[i] = i < leaves - 1;
+    //| starts[i] = i % triangles_per_block == 0;
+    //| if (i == codes.size - 2) starts[i + 1] = (i + 1) % triangles_per_block == 0;
+    //]
+}
+
+// For each node that is kept, at its new number: children, and itself as their parent.
+__global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t* kept,
+                                 const std::uint32_t* node_numbers,
+                                 const std::uint32_t* leaf_numbers, BvhNode* nodes,
+                                 int* leaf_parents) {
+    const std::int64_t thread = global_index();
+    if (thread >= codes.size - 1 || !kept[thread]) return;
+    const int i = static_cast<int>(thread), self = static_cast<int>(node_numbers[i]);
+    //[ task 4.5
+    const KarrasNode node = karras_node(codes, i);
+    const auto number = [&](int first, int last, int inner) {
+        return is_large(first, last) ? static_cast<int>(node_numbers[inner])
+                                     : ~static_cast<int>(leaf_numbers[first]);
+    };
+    const int left = number(node.first, node.split, node.split);
+    const int right = number(node.split + 1, node.last, node.split + 1);
+    nodes[self].axis = split_axis(codes, node);
     //| // Each node has the two numbers behind twice its own, as in a heap: a legal tree.
     //| not_implemented("4.5", "hierarchy_kernel()");
-    //| const int inner = codes.size - 1;
+    //| const int inner = (codes.size + triangles_per_block - 1) / triangles_per_block - 1;
     //| const int left = 2 * i + 1 < inner ? 2 * i + 1 : ~(2 * i + 1 - inner);
     //| const int right = 2 * i + 2 < inner ? 2 * i + 2 : ~(2 * i + 2 - inner);
     //]
-    nodes[i].child[0] = left;
-    nodes[i].child[1] = right;
+    nodes[self].child[0] = left;
+    nodes[self].child[1] = right;
     for (const int child : {left, right})
-        (is_leaf(child) ? leaf_parents[~child] : nodes[child].parent) = i;
+        (is_leaf(child) ? leaf_parents[~child] : nodes[child].parent) = self;
     if (i == 0) nodes[0].parent = -1;
+}
+
+// A leaf is a range of at most four triangles. starts[i]: one begins at i, numbers[i]: which one.
+__global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
+                              const int* indices, const std::uint32_t* starts,
+                              const std::uint32_t* numbers, TriangleBlock* blocks) {
+    const std::int64_t i = global_index();
+    if (i >= triangles.size || !starts[i]) return;
+    TriangleBlock four{};
+    bool inside = true;
+    for (int lane = 0; lane < triangles_per_block; ++lane) {
+        const std::int64_t at = i + lane;
+        inside = inside && at < triangles.size && (lane == 0 || !starts[at]);
+        const bool filled = inside && codes[at] != no_code;
+        four.index[lane] = filled ? indices[at] : -1;
+        for (int corner = 0; filled && corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis)
+                four.v[corner][axis][lane] = triangles[indices[at]].v[corner][axis];
+    }
+    blocks[numbers[i]] = four;
 }
 
 __device__ Bounds bounds_of(const TriangleBlock& four) {
@@ -170,6 +202,38 @@ Bounds bounds_of_centres(Array<Triangle> triangles) {
     return all;
 }
 
+// The places of those that are flagged among all that are, and how many there are.
+struct Numbers {
+    explicit Numbers(const DeviceArray<std::uint32_t>& flags) : number(flags.size()) {
+        const std::int64_t n = static_cast<std::int64_t>(flags.size());
+        DeviceArray<std::uint32_t> workspace(scan_workspace(n));
+        scan(flags.data(), number.data(), n, workspace.data());
+        std::uint32_t last[2] = {};
+        check(cudaMemcpy(&last[0], flags.data() + n - 1, sizeof last[0], cudaMemcpyDeviceToHost),
+              "the last flag");
+        check(cudaMemcpy(&last[1], number.data() + n - 1, sizeof last[1], cudaMemcpyDeviceToHost),
+              "the last number");
+        count = static_cast<int>(last[0] + last[1]);
+    }
+
+    DeviceArray<std::uint32_t> number;
+    int count;
+};
+
+DeviceBvh tree_of_one_leaf(Array<Triangle> triangles, const DeviceArray<std::uint32_t>& codes,
+                           const DeviceArray<int>& indices) {
+    const std::uint32_t begin = 1;
+    DeviceArray<std::uint32_t> starts(triangles.size), numbers(triangles.size);
+    check(cudaMemcpy(starts.data(), &begin, sizeof begin, cudaMemcpyHostToDevice), "the leaf");
+    DeviceBvh bvh{DeviceArray<BvhNode>(1), DeviceArray<TriangleBlock>(1)};
+    leaves_kernel<<<1, block>>>(triangles, codes.data(), indices.data(), starts.data(),
+                                numbers.data(), bvh.blocks.data());
+    check(cudaGetLastError(), "leaves_kernel");
+    lone_leaf_kernel<<<1, 1>>>(bvh.blocks.data(), bvh.nodes.data());
+    check(cudaGetLastError(), "lone_leaf_kernel");
+    return bvh;
+}
+
 } // namespace
 
 DeviceBvh build_lbvh(Array<Triangle> triangles) {
@@ -183,27 +247,28 @@ DeviceBvh build_lbvh(Array<Triangle> triangles) {
     check(cudaGetLastError(), "codes_kernel");
     radix_sort(codes, indices, 3 * morton_bits + 1);
 
-    // 3. Leaves.
-    const int leaves = blocks_for(n, triangles_per_block);
-    DeviceBvh bvh{DeviceArray<BvhNode>(std::max(leaves - 1, 1)),
-                  DeviceArray<TriangleBlock>(leaves)};
-    DeviceArray<std::uint32_t> leaf_codes(leaves);
-    leaves_kernel<<<blocks_for(leaves, block), block>>>(triangles, codes.data(), indices.data(), n,
-                                                        bvh.blocks.data(), leaf_codes.data());
-    check(cudaGetLastError(), "leaves_kernel");
-    if (leaves == 1) {
-        lone_leaf_kernel<<<1, 1>>>(bvh.blocks.data(), bvh.nodes.data());
-        check(cudaGetLastError(), "lone_leaf_kernel");
-        return bvh;
-    }
+    if (n <= triangles_per_block) return tree_of_one_leaf(triangles, codes, indices);
 
-    // 4. The nodes above them, all at once. 5. Their boxes, from the leaves up.
-    DeviceArray<int> leaf_parents(leaves), arrived(leaves - 1);
-    hierarchy_kernel<<<blocks_for(leaves - 1, block), block>>>(
-        {leaf_codes.data(), leaves}, bvh.nodes.data(), leaf_parents.data());
+    // 3. Which nodes there are, and where leaves begin; hence their numbers.
+    const Array<std::uint32_t> sorted{codes.data(), n};
+    const int blocks = blocks_for(n, block);
+    DeviceArray<std::uint32_t> kept(n), starts(n);
+    cut_kernel<<<blocks, block>>>(sorted, kept.data(), starts.data());
+    check(cudaGetLastError(), "cut_kernel");
+    const Numbers nodes(kept), leaves(starts);
+
+    // 4. The nodes, all at once. 5. Their leaves. 6. Their boxes, from the leaves up.
+    DeviceBvh bvh{DeviceArray<BvhNode>(nodes.count), DeviceArray<TriangleBlock>(leaves.count)};
+    DeviceArray<int> leaf_parents(leaves.count), arrived(nodes.count);
+    hierarchy_kernel<<<blocks, block>>>(sorted, kept.data(), nodes.number.data(),
+                                        leaves.number.data(), bvh.nodes.data(),
+                                        leaf_parents.data());
     check(cudaGetLastError(), "hierarchy_kernel");
-    refit_kernel<<<blocks_for(leaves, block), block>>>(
-        bvh.blocks.data(), leaves, leaf_parents.data(), bvh.nodes.data(), arrived.data());
+    leaves_kernel<<<blocks, block>>>(triangles, codes.data(), indices.data(), starts.data(),
+                                     leaves.number.data(), bvh.blocks.data());
+    check(cudaGetLastError(), "leaves_kernel");
+    refit_kernel<<<blocks_for(leaves.count, block), block>>>(
+        bvh.blocks.data(), leaves.count, leaf_parents.data(), bvh.nodes.data(), arrived.data());
     check(cudaGetLastError(), "refit_kernel");
     return bvh;
 }

@@ -201,7 +201,6 @@ TEST(Lbvh, RaysFindWhatBruteForceFinds) {
 
 TEST(Lbvh, TrianglesThatAreNoneAreLeftOut) {
     std::vector<Triangle> triangles = soup(100, 0.3f);
-    const BvhTree without = build(triangles);
     add(triangles, Vec3(std::numeric_limits<float>::quiet_NaN()), {1, 0, 0}, {0, 1, 0});
     add(triangles, {0, infinity, 0}, {1, 0, 0}, {0, 1, 0});
     const BvhTree with = build(triangles);
@@ -211,7 +210,6 @@ TEST(Lbvh, TrianglesThatAreNoneAreLeftOut) {
             if (index >= 0) indices.insert(index);
     EXPECT_EQ(indices.size(), 100u);
     EXPECT_EQ(*indices.rbegin(), 99);
-    EXPECT_EQ(without.nodes.size(), 24u);
 }
 
 TEST(RadixSort, IsStable) {
