@@ -4,7 +4,6 @@
 #include "labs/04_accel/tests/bvh_cases.h"
 
 #include <algorithm>
-#include <bitset>
 
 namespace raylab::lab04 {
 
@@ -19,10 +18,7 @@ struct BoxTree {
 
     Bounds build(int first, int last, int parent, int side, Dice& dice) {
         if (last - first == 1) {
-            TriangleBlock& block = tree.blocks.emplace_back();
-            std::fill(block.index, block.index + triangles_per_block, -1);
-            block.index[0] = first;
-            hang(parent, side, ~(int(tree.blocks.size()) - 1), boxes[first]);
+            hang_leaf(parent, side, boxes[first]);
             return boxes[first];
         }
         const int self = int(tree.nodes.size());
@@ -32,6 +28,13 @@ struct BoxTree {
         box.include(build(middle, last, self, 1, dice));
         if (parent >= 0) hang(parent, side, self, box);
         return box;
+    }
+
+    // Leaves come in the order of their boxes.
+    void hang_leaf(int node, int side, const Bounds& box) {
+        const int leaf = int(tree.blocks.size());
+        tree.blocks.push_back({{}, {leaf, -1, -1, -1}});
+        hang(node, side, ~leaf, box);
     }
 
     void hang(int node, int side, int child, const Bounds& box) {
@@ -153,11 +156,10 @@ TEST(WideBoxes, EachOrderHasEachSlotOnce) {
     }
 }
 
-// A tree as deep as there may be: on each level of a chain hangs a bush of eight leaves, so large
-// that the plan would open it, and go on along the chain by one node a level.
+// A tree as deep as there may be: on each level of a chain hangs a bush of seven leaves, so large
+// that the plan would make them seven children, and the rest of the chain the eighth.
 TEST(WideBoxes, AChainHasNoMoreLevelsThanPromised) {
     BoxTree made;
-    Dice dice(33);
     const int chain = max_sah_depth - 3;
     int parent = -1;
     for (int level = 0; level < chain; ++level) {
@@ -165,29 +167,21 @@ TEST(WideBoxes, AChainHasNoMoreLevelsThanPromised) {
         made.tree.nodes.push_back({{}, {no_child, no_child}, parent, 0});
         const float tiny = std::ldexp(1.0f, -level);
         if (parent >= 0) made.hang(parent, 1, self, {Vec3(0), Vec3(tiny)});
-        // Three levels of nodes, then leaves.
+        // Six nodes as in a heap, and their seven leaves.
         const int first = int(made.tree.nodes.size());
         const Bounds large{Vec3(0), Vec3(2 * tiny)};
-        for (int k = 0; k < 7; ++k) {
-            made.tree.nodes.push_back(
-                {{}, {no_child, no_child}, k ? first + (k - 1) / 2 : self, 0});
-            made.hang(k ? first + (k - 1) / 2 : self, k ? (k - 1) % 2 : 0, first + k, large);
-        }
-        for (int k = 7; k < 15; ++k) {
-            made.boxes.push_back(large);
-            TriangleBlock& block = made.tree.blocks.emplace_back();
-            std::fill(block.index, block.index + triangles_per_block, -1);
-            block.index[0] = int(made.tree.blocks.size()) - 1;
-            made.hang(first + (k - 1) / 2, (k - 1) % 2, ~(int(made.tree.blocks.size()) - 1), large);
+        for (int k = 0; k < 13; ++k) {
+            const int above = k == 0 ? self : first + (k - 1) / 2, side = k == 0 ? 0 : (k - 1) % 2;
+            if (k < 6) {
+                made.tree.nodes.push_back({{}, {no_child, no_child}, above, 0});
+                made.hang(above, side, first + k, large);
+            } else {
+                made.hang_leaf(above, side, large);
+            }
         }
         parent = self;
     }
-    // The end of the chain has no other child: a leaf.
-    made.boxes.push_back({Vec3(0), Vec3(0)});
-    TriangleBlock& block = made.tree.blocks.emplace_back();
-    std::fill(block.index, block.index + triangles_per_block, -1);
-    block.index[0] = int(made.tree.blocks.size()) - 1;
-    made.hang(parent, 1, ~(int(made.tree.blocks.size()) - 1), made.boxes.back());
+    made.hang_leaf(parent, 1, {Vec3(0), Vec3(0)}); // the end of the chain
 
     const WideTree wide = build_wide(made.tree);
     EXPECT_LE(wide.levels, max_wide_levels);
@@ -244,9 +238,20 @@ bool crosses_exactly(const Bounds& box, const Ray& ray) {
     return begin <= end;
 }
 
+// Is the ray, all the time, not between the two faces across an axis?
+bool passes_beside(const WideNode& node, int slot, const Ray& ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double origin = node.origin[axis], step = node.step, o = ray.o[axis];
+        if (ray.d[axis] == 0 && (o < origin + step * grid_face(node, slot, axis, 0) ||
+                                 o > origin + step * grid_face(node, slot, axis, 1)))
+            return true;
+    }
+    return false;
+}
+
 TEST(Boxes, NoBoxIsMissedThatARayMeets) {
     Dice dice(34);
-    int met = 0, missed[3] = {};
+    int met = 0, missed[3] = {}, beside = 0;
     for (int i = 0; i < test::rays(20000, 1000000); ++i) {
         const BoxTree made = any_boxes(2 + dice.below(7), dice);
         const WideTree wide = build_wide(made.tree);
@@ -261,6 +266,8 @@ TEST(Boxes, NoBoxIsMissedThatARayMeets) {
                 missed[0] += !(slots >> slot & 1);
                 missed[1] += !crosses(made.boxes[leaf], slab, ray.t_max);
             });
+            for (int slot = 0; slot < wide_children; ++slot)
+                beside += slots >> slot & 1 && passes_beside(wide.nodes[0], slot, ray);
             for (const BvhNode& node : made.tree.nodes) {
                 const PairCrossing pair = cross(node, slab, ray.t_max);
                 missed[2] += crosses_exactly(child_box(node, 0), ray) && !pair.met0;
@@ -272,6 +279,7 @@ TEST(Boxes, NoBoxIsMissedThatARayMeets) {
     EXPECT_EQ(missed[0], 0) << "eight boxes on a grid";
     EXPECT_EQ(missed[1], 0) << "one box";
     EXPECT_EQ(missed[2], 0) << "a pair of boxes";
+    EXPECT_EQ(beside, 0) << "a ray across an axis enters boxes that it is not between";
 }
 
 // Remembers the leaves it is brought.
