@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes every figure of the handouts of labs 01 and 02 again, from renders of raylab.
+"""Makes every figure of the handouts of labs 01, 02 and 04 again, from renders of raylab.
 
     python3 tools/figures/figures.py                       # all, with build/cpu/app/raylab
     python3 tools/figures/figures.py --only lanes error    # some of them
@@ -12,6 +12,7 @@ Every function below is one figure: its scene, samples and seed stand in the cap
 """
 import argparse
 import array
+import csv
 import json
 import math
 import pathlib
@@ -24,7 +25,8 @@ from PIL import Image
 from plot import COLOURS, INK, Plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LAB01, LAB02 = (ROOT / "labs" / lab / "figures" for lab in ("01_recursive", "02_iterative"))
+LAB01, LAB02, LAB04 = (ROOT / "labs" / lab / "figures"
+                       for lab in ("01_recursive", "02_iterative", "04_accel"))
 
 
 class Raylab:
@@ -224,6 +226,38 @@ def error(raylab):
     plot.save(LAB02 / "error.svg")
 
 
+# --- lab 04 --------------------------------------------------------------------------------------
+
+def stadium(raylab):
+    """A small object in a large hall, through eight boxes a node."""
+    raylab.picture("04", "stadium", LAB04 / "stadium.png", "--spp", 64, "--accel", "wide",
+                   *square(288))
+
+
+def scaling(raylab):
+    """What a ray costs as a mesh grows: every structure, and testing all triangles."""
+    folder = raylab.scratch / "scaling"
+    run_quietly(raylab.program, "bench-rays", "--scaling", "terrain", "--triangles", "100..1000000",
+                "--structures", "brute", "kd_ropes", "lbvh_trail", "sah_trail", "wide_trail",
+                "--rays", "diffuse1", "--size", "128x128", "--builds", "1", "-o", folder)
+    curves = {}
+    with open(folder / "rays.csv", newline="", encoding="utf-8") as table:
+        for row in csv.DictReader(table):
+            if row["mrays_per_second"]:
+                nanoseconds = 1000 / float(row["mrays_per_second"])
+                curves.setdefault(row["structure"], []).append((int(row["triangles"]), nanoseconds))
+    plot = Plot("A hilly terrain: time of a ray after one bounce", "triangles",
+                "nanoseconds a ray", (80, 1.3e6), (50, 3e4), log=True)
+    plot.ticks([10**k for k in range(2, 7)], (100, 1000, 10000), x_format="{:,}", y_format="{:,}")
+    names = {"brute": "all triangles", "kd_ropes": "kd, ropes", "lbvh_trail": "lbvh, trail",
+             "sah_trail": "sah, trail", "wide_trail": "wide, trail"}
+    for (name, points), colour in zip(curves.items(), COLOURS):
+        inside = [(n, t) for n, t in points if t < 3e4]
+        plot.curve(inside, names[name], colour, dy=-8 if name == "kd_ropes" else 0)
+        print(name, ", ".join(f"{n}: {t:.0f}" for n, t in points))
+    plot.save(LAB04 / "scaling.svg")
+
+
 def read_pfm(path):
     """All channels of a little-endian colour PFM, in the file's order."""
     kind, _size, scale, data = path.read_bytes().split(b"\n", 3)
@@ -234,7 +268,7 @@ def read_pfm(path):
 
 
 FIGURES = [whitted, cornell, spheres, lens, depth, strategies, hemisphere, fresnel, mistakes,
-           progressive, roulette, lanes, error]
+           progressive, roulette, lanes, error, stadium, scaling]
 
 
 def main():
@@ -247,7 +281,7 @@ def main():
     options = parser.parse_args()
     if not options.program.is_file():
         parser.error(f"{options.program} is not there: build it, or name another with --program")
-    for folder in (LAB01, LAB02):
+    for folder in (LAB01, LAB02, LAB04):
         folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         raylab = Raylab(options.program.resolve(), pathlib.Path(scratch),
