@@ -8,6 +8,7 @@
 #include "common/geometry/intersect.h"
 #include "common/scene/view.h"
 #include "labs/04_accel/bvh.h"
+#include "labs/04_accel/fetch_ahead.h"
 #include "labs/04_accel/triangle_block.h"
 
 namespace raylab::lab04 {
@@ -37,6 +38,9 @@ class Query {
 
     HD const Ray& ray() const { return ray_; }
     HD const WalkCounts& counts() const { return counts_; }
+    // A block that may be visited soon.
+    HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
+
     HD int blocks() const { return leaves_.blocks.size; } // all there are
     HD bool endless() const { return counts_.nodes >= most_steps; }
 
@@ -77,7 +81,8 @@ class Query {
 // glance's interval decides then, and t is computed once, when the walk is over.
 class ClosestHit : public Query {
   public:
-    HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray) : Query(leaves, ray), reach_(ray.t_max) {}
+    HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray)
+        : Query(leaves, ray), reach_(ray.t_max) {}
 
     // A box that was crossed once may lie out of reach later.
     static constexpr bool reach_shrinks = true;

@@ -1,6 +1,7 @@
 // The wide walk with a stack: what the trail is measured against.
 #pragma once
 
+#include "labs/04_accel/fetch_ahead.h"
 #include "labs/04_accel/wide_bvh.h"
 
 namespace raylab::lab04 {
@@ -32,6 +33,8 @@ template <class Query> HD void walk_wide_stack(const WideView& bvh, Query& query
             } else {
                 if (left != 0) stack[size++] = {at, left};
                 at = child_in(node, slot);
+                fetch_ahead(bvh.nodes.data + bvh.nodes[at].first_child);
+                query.ask_for(bvh.nodes[at].first_block);
                 left = wide_slots(bvh.nodes[at]);
                 fresh = true;
             }

@@ -5,6 +5,7 @@
 // the walk remembers, in registers.
 #pragma once
 
+#include "labs/04_accel/fetch_ahead.h"
 #include "labs/04_accel/wide_bvh.h"
 
 namespace raylab::lab04 {
@@ -47,6 +48,9 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
             } else {
                 trail.push(left);
                 node = &bvh.nodes[child_in(*node, slot)];
+                fetch_ahead(bvh.nodes.data +
+                            node->first_child); // before it is known which it will be
+                query.ask_for(node->first_block);
                 left = wide_slots(*node);
                 fresh = true;
             }
