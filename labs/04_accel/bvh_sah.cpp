@@ -81,8 +81,9 @@ struct Builder {
             }
         }
         int axis = split.axis;
-        const std::size_t middle =
-            axis >= 0 ? cut_between(items, centres, split) : cut_at_median(items, centres, axis);
+        std::size_t middle = axis >= 0 ? cut_between(items, centres, split) : 0;
+        // No cut, or one that parts nothing and would be made again and again.
+        if (middle == 0 || middle == items.size()) middle = cut_at_median(items, centres, axis);
         const Child left = build(items.subspan(0, middle), self, depth + 1);
         return finish(self, axis, left, build(items.subspan(middle), self, depth + 1));
     }

@@ -34,7 +34,9 @@ struct Visits {
 Visits visits(const BvhCase& scene, BoxWalk walk, const std::vector<Ray>& rays = rays_down(3000)) {
     Visits mean;
     for (const Ray& ray : rays) {
-        const WalkCounts counts = scene.answer(walk, ray).closest;
+        const Answer answer = scene.answer(walk, ray);
+        const WalkCounts counts = answer.closest;
+        if (answer.endless) return {double(counts.nodes), double(counts.blocks)}; // one is enough
         mean.nodes += counts.nodes / double(rays.size());
         mean.blocks += counts.blocks / double(rays.size());
     }
