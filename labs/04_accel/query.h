@@ -38,11 +38,11 @@ class Query {
 
     HD const Ray& ray() const { return ray_; }
     HD const WalkCounts& counts() const { return counts_; }
+    HD bool endless() const { return counts_.nodes >= most_steps; }
+    HD int blocks() const { return leaves_.blocks.size; } // all there are
+
     // A block that may be visited soon.
     HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
-
-    HD int blocks() const { return leaves_.blocks.size; } // all there are
-    HD bool endless() const { return counts_.nodes >= most_steps; }
 
     // Counts a node. False: this walk has no end, and must return.
     HD bool step() { return ++counts_.nodes < most_steps; }

@@ -1,7 +1,7 @@
 // The walk that everybody knows: the near child first, the far one on a stack.
 //
-// The others are measured against it. Its stack is 48 numbers a thread: on a GPU they lie in local
-// memory, which is global memory with another name.
+// The others are measured against it. Its stack is 62 pairs of numbers a thread: on a GPU they lie
+// in local memory, which is global memory with another name.
 #pragma once
 
 #include "labs/04_accel/bvh.h"
