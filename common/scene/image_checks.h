@@ -1,13 +1,10 @@
-// Checks of image files that stb_image 2.27 lacks: without them a hostile file of a few bytes makes
-// it write beyond its tables or ask for gigabytes.
+// A check of image files that stb_image 2.27 lacks: without it a hostile file of a few bytes makes
+// it ask for gigabytes.
 #pragma once
 
 #include <string_view>
 
 namespace raylab {
-
-// Does every Huffman table of a JPEG file have at most 256 codes? True for what is no JPEG file.
-bool huffman_tables_fit(std::string_view bytes);
 
 // Does every chunk of a PNG file up to its last end within the file, and none of the image data
 // have no bytes? True for what is no PNG file.

@@ -4,6 +4,8 @@
 #include "common/scene/image_checks.h"
 #include "common/scene/tests/scene_files.h"
 
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -131,19 +133,25 @@ TEST(Png, ChunksThatReachBeyondTheFileAreRefusedBeforeTheyAreAllocated) {
     EXPECT_THROW(decode_picture(huge, "p"), SceneError);
 }
 
-TEST(Jpeg, HuffmanTablesOfMoreThan256CodesAreRefused) {
-    const auto file = [](char codes_of_each_length) {
-        const std::string table = '\0' + std::string(16, codes_of_each_length) +
-                                  std::string(std::size_t(16 * codes_of_each_length), '\1');
-        const std::size_t length = table.size() + 2;
-        return "\xFF\xD8\xFF\xC4" + std::string{char(length >> 8), char(length & 255)} + table;
-    };
-    EXPECT_TRUE(huffman_tables_fit(file(16)));
-    EXPECT_FALSE(huffman_tables_fit(file(17)));
-    EXPECT_TRUE(huffman_tables_fit(with(file(17), "\xFF\xC4", "\xFF\xE1")))
-        << "in application data anything may stand";
-    EXPECT_FALSE(huffman_tables_fit(file(16).substr(0, 12))) << "what is behind the end counts too";
-    EXPECT_NE(error_of([&] { decode_picture(file(17), "p"); }).find("Huffman"), std::string::npos);
+std::string jpeg_seed() {
+    std::ifstream file(RAYLAB_FUZZ_SEEDS "/picture/ramp.jpg", std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Jpeg, IsReadAsLinearRgb) {
+    const Picture picture = decode_picture(jpeg_seed(), "p");
+    ASSERT_EQ(picture.width, 8);
+    ASSERT_EQ(picture.height, 8);
+    const int first_row[] = {2, 4, 7, 10, 14, 18, 20, 22}; // as another decoder has it
+    for (std::size_t x = 0; x < 8; ++x)
+        EXPECT_NEAR(picture.texels[x].y, linear_from_srgb(first_row[x]), 1e-3) << x;
+    EXPECT_GT(picture.texels.back().y, picture.texels.front().y) << "the top row is first";
+}
+
+TEST(Jpeg, OfWhichAByteLacksIsAnError) {
+    const std::string whole = jpeg_seed();
+    for (std::size_t size = 3; size + 2 < whole.size(); ++size)
+        EXPECT_THROW(decode_picture(whole.substr(0, size), "p"), SceneError) << size;
 }
 
 } // namespace
