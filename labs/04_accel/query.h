@@ -87,6 +87,10 @@ class ClosestHit : public Query {
     // A box that was crossed once may lie out of reach later.
     static constexpr bool reach_shrinks = true;
 
+    // Of two children that lie apart along this axis, which one first: the lower one, 0, or 1?
+    // The nearer one: what is hit early shortens the ray.
+    HD int first(int axis) const { return slab.negative[axis]; }
+
     // Call it when the walk is over.
     HD const Hit& hit() {
         settle();
@@ -143,6 +147,10 @@ class AnyHit : public Query {
     using Query::Query;
 
     static constexpr bool reach_shrinks = false;
+
+    // The farther one: what is near is mostly the surface that the ray leaves, and the small things
+    // upon it; what it ends at, a wall perhaps, is behind them.
+    HD int first(int axis) const { return !slab.negative[axis]; }
 
     HD bool found() const { return found_; }
     HD float reach() const { return ray().t_max; }

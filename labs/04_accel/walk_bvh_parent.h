@@ -1,10 +1,10 @@
 // Without a stack and without a trail: where to go next follows from where the walk comes from.
 //
 // At each node the ray's direction along the axis on which the children lie apart says which one is
-// the near one, always the same. From above, a walk goes to the near child; back from the near
-// child, to the far one; back from the far child, up. The price: on the way back boxes are tested
-// again. Hapala, Davidovic, Wald, Havran and Slusallek, Efficient Stack-less BVH Traversal for Ray
-// Tracing, SCCG 2011.
+// the near one (of a feeler: the far one, see query.h), always the same. From above, a walk goes to
+// the near child; back from the near child, to the far one; back from the far child, up. The price:
+// on the way back boxes are tested again. Hapala, Davidovic, Wald, Havran and Slusallek, Efficient
+// Stack-less BVH Traversal for Ray Tracing, SCCG 2011.
 #pragma once
 
 #include "common/task/not_implemented.h"
@@ -20,7 +20,7 @@ template <class Query> HD void walk_bvh_parent(const BvhView& bvh, Query& query)
     while (true) {
         if (!query.step()) return;
         const BvhNode& here = bvh.nodes[node];
-        const int near = query.slab.negative[here.axis] ? 1 : 0;
+        const int near = query.first(here.axis);
         int next = from < 0 ? near : from == near ? 1 - near : -1; // the child to look at; -1: up
         from = -1;
         if (next >= 0) {

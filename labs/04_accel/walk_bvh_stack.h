@@ -23,7 +23,7 @@ template <class Query> HD void walk_bvh_stack(const BvhView& bvh, Query& query) 
             if (!query.step()) return;
             const BvhNode& node = bvh.nodes[child];
             const PairCrossing pair = cross(node, query.slab, query.reach());
-            const bool swap = query.slab.negative[node.axis];
+            const bool swap = query.first(node.axis);
             const bool near = swap ? pair.met1 : pair.met0, far = swap ? pair.met0 : pair.met1;
             if (near) {
                 if (far) stack[size++] = {node.child[1 - swap], swap ? pair.near0 : pair.near1};

@@ -20,11 +20,11 @@ template <class Query> HD void walk_bvh_trail(const BvhView& bvh, Query& query) 
     std::uint64_t trail = 0; // the lowest bit: does the far child of `node` wait?
     int node = 0;
     while (true) {
-        // Down, near child first.
+        // Down, to the child that the query wants first: `near`.
         if (!query.step()) return;
         const BvhNode& here = bvh.nodes[node];
         const PairCrossing pair = cross(here, query.slab, query.reach());
-        const bool swap = query.slab.negative[here.axis];
+        const bool swap = query.first(here.axis);
         const bool near = swap ? pair.met1 : pair.met0, far = swap ? pair.met0 : pair.met1;
         trail <<= 1;
         int child = no_child;
@@ -47,7 +47,7 @@ template <class Query> HD void walk_bvh_trail(const BvhView& bvh, Query& query) 
             }
             trail ^= 1; // to the far child, if it is still within reach
             const BvhNode& above = bvh.nodes[node];
-            const bool other = !query.slab.negative[above.axis];
+            const bool other = !query.first(above.axis);
             if (Query::reach_shrinks && query.reach() < whole) {
                 if (!query.step()) return;
                 const PairCrossing again = cross(above, query.slab, query.reach());

@@ -29,6 +29,7 @@ struct Trail {
 template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query) {
     if (bvh.nodes.size == 0) return;
     const WideRay ray(query.ray(), query.slab.inv_d, bvh.extent);
+    const int octant = octant_of(query);
     const float whole = query.reach();
     Trail trail;
     const WideNode* node = &bvh.nodes[0];
@@ -41,7 +42,7 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
         }
         fresh = false;
         if (left != 0) {
-            const int slot = first_in_order(left, node->order[ray.octant]);
+            const int slot = first_in_order(left, node->order[octant]);
             left &= ~(1u << slot);
             if (node->leaf >> slot & 1) {
                 if (query.visit(block_in(*node, slot))) return;

@@ -75,6 +75,11 @@ HD_HOT int block_in(const WideNode& node, int slot) {
     return node.first_block + count_bits(node.leaf & ((1u << slot) - 1));
 }
 
+// The octant of directions in whose order a query wants to come to its boxes.
+template <class Query> HD_HOT int octant_of(const Query& query) {
+    return query.first(0) | query.first(1) << 1 | query.first(2) << 2;
+}
+
 // A ray prepared for the boxes of nodes.
 //
 // A face at p lies at t = (p - o) / d. The walk computes q (step / d) + (origin / d - o / d), in
@@ -87,12 +92,10 @@ struct WideRay {
     Vec3 o;
     bool parallel[3]; // d = 0: the ray is between the two faces all the time, or never
     bool any_parallel;
-    int octant; // the bits of negative
 
     HD_HOT WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : inv_d(inverse), o(ray.o) {
         const Vec3 size = abs(ray.o) + extent;
         any_parallel = false;
-        octant = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const float d = ray.d[axis];
             parallel[axis] = d == 0;
@@ -102,7 +105,6 @@ struct WideRay {
             float& inv = inv_d[axis];
             if (unbounded) inv = 0;
             negative[axis] = inv < 0;
-            octant |= int(negative[axis]) << axis;
             const float room = 8 * unit_roundoff * size[axis] * fabsf(inv);
             near_shift[axis] = ray.o[axis] * inv + room;
             far_shift[axis] = unbounded ? -infinity : ray.o[axis] * inv - room;
