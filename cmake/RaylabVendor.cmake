@@ -13,7 +13,7 @@ if(NOT triplet MATCHES "^${CMAKE_SYSTEM_PROCESSOR}")
                         "machine's ${CMAKE_SYSTEM_PROCESSOR}: run ./raylab vendor on one like this")
 endif()
 file(READ ${RAYLAB_VENDOR}/packages.txt collected)
-file(READ ${CMAKE_SOURCE_DIR}/packages.txt wanted)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../packages.txt wanted)
 if(NOT collected STREQUAL wanted)
     message(WARNING "packages.txt has changed since ${RAYLAB_VENDOR} was collected: "
                     "run ./raylab vendor again where the packages are installed")

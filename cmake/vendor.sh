@@ -15,7 +15,7 @@ while [ $# -gt 0 ]; do
         -h | --help)
             cat <<'HELP'
 ./raylab vendor [-o DIR]
-  Copies the headers and libraries of the packages in packages.txt into third_party/, about 30 MB, on a
+  Copies the headers and libraries of the packages in packages.txt into third_party/, about 40 MB, on a
   Debian or Ubuntu machine where they are installed. With that folder in the tree raylab asks for no
   package: a compiler, CMake and Ninja are enough (and nvcc, for RAYLAB_PRESET=cuda). The other machine
   needs the same kind of processor and a C library at least as new. docs/vendor.md tells more.
