@@ -57,24 +57,24 @@ struct Trees {
 using Builder = std::optional<double> (*)(Trees& trees, const std::vector<Triangle>& triangles,
                                           int threads);
 
-std::optional<double> build_kd(Trees& trees, const std::vector<Triangle>& triangles, int) {
-    trees.kd = build_kd_tree(triangles);
+std::optional<double> build_kd(Trees& trees, const std::vector<Triangle>& triangles, int threads) {
+    trees.kd = build_kd_tree(triangles, {.threads = threads});
     trees.blocks = &trees.kd.blocks;
     trees.bytes = double(trees.kd.bytes());
     return std::nullopt;
 }
 
 std::optional<double> build_kd_with_ropes(Trees& trees, const std::vector<Triangle>& triangles,
-                                          int) {
-    trees.kd = build_kd_tree(triangles);
+                                          int threads) {
+    trees.kd = build_kd_tree(triangles, {.threads = threads});
     lay_ropes(trees.kd);
     trees.blocks = &trees.kd.blocks;
     trees.bytes = double(trees.kd.bytes());
     return std::nullopt;
 }
 
-std::optional<double> build_sah(Trees& trees, const std::vector<Triangle>& triangles, int) {
-    trees.bvh = build_bvh_sah(triangles);
+std::optional<double> build_sah(Trees& trees, const std::vector<Triangle>& triangles, int threads) {
+    trees.bvh = build_bvh_sah(triangles, threads);
     trees.blocks = &trees.bvh.blocks;
     trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
     return std::nullopt;
@@ -91,16 +91,18 @@ std::optional<double> build_morton(Trees& trees, const std::vector<Triangle>& tr
 }
 
 // The binary nodes are not needed once the links are laid.
-std::optional<double> build_skip(Trees& trees, const std::vector<Triangle>& triangles, int) {
-    build_sah(trees, triangles, 1);
+std::optional<double> build_skip(Trees& trees, const std::vector<Triangle>& triangles,
+                                 int threads) {
+    build_sah(trees, triangles, threads);
     trees.skip = lay_skip_links(trees.bvh);
     trees.bytes = double(trees.skip.size() * sizeof(SkipNode) + trees.bvh.block_bytes());
     trees.bvh.nodes = {};
     return std::nullopt;
 }
 
-std::optional<double> build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles, int) {
-    trees.wide = build_wide(build_bvh_sah(triangles));
+std::optional<double> build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles,
+                                       int threads) {
+    trees.wide = build_wide(build_bvh_sah(triangles, threads));
     trees.blocks = &trees.wide.blocks;
     trees.bytes = double(trees.wide.node_bytes() + trees.wide.block_bytes());
     return std::nullopt;

@@ -53,17 +53,17 @@ template <class T> Array<T> array_of(const DeviceArray<T>& memory) {
 
 } // namespace
 
-Accel::Accel(const Scene& scene, const AccelSettings& settings)
-    : choice_(choose_accel(static_cast<int>(scene.triangles.size()), settings)) {
+Accel::Accel(const Scene& scene, const MachineSettings& machine)
+    : choice_(choose_accel(static_cast<int>(scene.triangles.size()), machine.accel)) {
     facts_.triangles = static_cast<int>(scene.triangles.size());
     facts_.name = name_of(choice_.walk.accel);
     facts_.walk =
         choice_.walk.walk == WalkKind::automatic ? "all triangles" : name_of(choice_.walk.walk);
     facts_.why = choice_.why;
-    if (has_triangles()) build(scene.triangles);
+    if (has_triangles()) build(scene.triangles, machine.threads);
 }
 
-void Accel::build(const std::vector<Triangle>& triangles) {
+void Accel::build(const std::vector<Triangle>& triangles, int threads) {
     const Stopwatch watch;
     const auto built = [&](int depth) {
         facts_.build_seconds = watch.seconds();
@@ -71,7 +71,7 @@ void Accel::build(const std::vector<Triangle>& triangles) {
     };
     switch (choice_.walk.accel) {
     case AccelKind::kd: {
-        KdTree tree = build_kd_tree(triangles);
+        KdTree tree = build_kd_tree(triangles, {.threads = threads});
         if (choice_.walk.walk == WalkKind::ropes) lay_ropes(tree);
         built(depth_of(tree));
         keep(tree.nodes, kd_);
@@ -92,12 +92,12 @@ void Accel::build(const std::vector<Triangle>& triangles) {
         return keep_tree(to_host(bvh));
     }
     case AccelKind::sah: {
-        const BvhTree tree = build_bvh_sah(triangles);
+        const BvhTree tree = build_bvh_sah(triangles, threads);
         built(tree.depth);
         return keep_tree(tree);
     }
     case AccelKind::wide: {
-        const WideTree tree = build_wide(build_bvh_sah(triangles));
+        const WideTree tree = build_wide(build_bvh_sah(triangles, threads));
         built(tree.levels);
         keep(tree.nodes, wide_);
         wide_extent_ = tree.extent;

@@ -3,6 +3,7 @@
 
 #include "common/device/device_array.h"
 #include "common/film/ledger.h"
+#include "common/render/renderer.h"
 #include "common/scene/scene.h"
 #include "labs/04_accel/choose_accel.h"
 #include "labs/04_accel/structure.h"
@@ -11,9 +12,9 @@ namespace raylab::lab04 {
 
 class Accel {
   public:
-    // Throws SettingsError if there is no such walk. A scene without triangles has no structure and
-    // is not walked.
-    Accel(const Scene& scene, const AccelSettings& settings);
+    // Builds what machine.accel asks for, on its threads. Throws SettingsError if there is no such
+    // walk. A scene without triangles has no structure and is not walked.
+    Accel(const Scene& scene, const MachineSettings& machine);
 
     // triangles: the scene's, in device memory.
     StructureView view(Array<Triangle> triangles) const;
@@ -26,7 +27,7 @@ class Accel {
     void walk_with(const WalkKernels& kernels) { choice_.walk.kernels = kernels; }
 
   private:
-    void build(const std::vector<Triangle>& triangles);
+    void build(const std::vector<Triangle>& triangles, int threads);
     template <class Node> void keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory);
     void keep_tree(const BvhTree& tree);
     void keep_blocks(const std::vector<TriangleBlock>& blocks);

@@ -1,46 +1,85 @@
 // Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
-// into one block, which is a leaf.
+// into one block, which is a leaf. Subtrees are built by tasks (build_tasks.h).
 #include "labs/04_accel/bvh_sah.h"
 
+#include "labs/04_accel/build_tasks.h"
 #include "labs/04_accel/bvh_split.h"
 #include "labs/04_accel/leaf_blocks.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory>
 
 namespace raylab::lab04 {
 namespace {
 
-// Cuts through triangles are tried where the children's boxes would overlap by more than this share
-// of the scene's, and as long as there are no more references than this for each triangle.
-constexpr double least_overlap = 1e-3, most_references = 1.4;
+// Cuts through triangles are tried where the children's boxes would overlap by more than these
+// shares of the scene's box and of the node's, and as long as there are no more references than
+// this for each triangle.
+constexpr double least_overlap = 1e-3, least_own_overlap = 0.2, most_references = 1.4;
 
-struct Child {
-    int child; // as in BvhNode
-    Bounds box;
+// What a node is built of.
+struct Work {
+    Items items;
+    int depth;    // of the node
+    double spare; // references that cuts through triangles may add
 };
 
-struct Builder {
+// A node cut in two. Cuts through triangles make new items, and keep them here.
+struct Halves {
+    int axis;
+    Work half[2];
+    std::vector<BuildItem> made[2];
+};
+
+// Where to cut; the same for all threads.
+struct Cutter {
     const std::vector<Triangle>& triangles;
     KdClip clip;
     double root_area;
-    std::size_t references; // so far
-    BvhTree tree;
 
-    Child leaf(Items items) {
-        std::array<int, triangles_per_block> indices;
-        Bounds box;
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            indices[i] = items[i].index;
-            box.include(items[i].box);
+    Halves cut(const Work& work) const {
+        const Bounds centres = centres_of(work.items);
+        // A tree of medians below may still need this many levels.
+        const int halvings = std::bit_width(work.items.size());
+        const bool deep = work.depth + halvings >= max_sah_depth;
+        const Split split = deep ? Split{} : best_cut_between(work.items, centres);
+        if (split.overlap > least_overlap * root_area && work.spare >= 1) {
+            Halves halves;
+            if (cut_through(work, split, halves)) return halves;
         }
-        append_blocks(triangles, {indices.data(), items.size()}, tree.blocks);
-        return {~static_cast<int>(tree.blocks.size() - 1), box};
+        int axis = split.axis;
+        std::size_t middle = axis >= 0 ? cut_between(work.items, centres, split) : 0;
+        // No cut, or one that parts nothing and would be made again and again.
+        if (middle == 0 || middle == work.items.size())
+            middle = cut_at_median(work.items, centres, axis);
+        return halves_of(work, axis, work.items.subspan(0, middle), work.items.subspan(middle),
+                         work.spare);
+    }
+
+  private:
+    // False if it would cost no less than the one between, part nothing, or make too many
+    // references.
+    bool cut_through(const Work& work, const Split& between, Halves& halves) const {
+        Bounds box;
+        for (const BuildItem& item : work.items) box.include(item.box);
+        if (between.overlap <= least_own_overlap * half_area(box)) return false;
+        const Split through = best_cut_through(work.items, box, triangles);
+        if (through.cost >= between.cost) return false;
+        std::vector<BuildItem> left, right;
+        lab04::cut_through(work.items, triangles, clip, through, left, right);
+        const std::size_t n = work.items.size();
+        const double spare = work.spare - (double(left.size() + right.size()) - double(n));
+        if (left.empty() || right.empty() || left.size() >= n || right.size() >= n || spare < 0)
+            return false;
+        halves = halves_of(work, through.axis, left, right, spare);
+        halves.made[0] = std::move(left), halves.made[1] = std::move(right);
+        return true;
     }
 
     // The half with fewer triangles at the front, wherever they lie.
-    std::size_t cut_at_median(Items items, const Bounds& centres, int& axis) {
+    static std::size_t cut_at_median(Items items, const Bounds& centres, int& axis) {
         const Vec3 extent = centres.high - centres.low;
         axis =
             extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
@@ -53,76 +92,141 @@ struct Builder {
         return half;
     }
 
-    Child build(Items items, int parent, int depth) {
-        tree.depth = std::max(tree.depth, depth);
-        if (items.size() <= triangles_per_block) return leaf(items);
-        const int self = static_cast<int>(tree.nodes.size());
-        tree.nodes.push_back({{}, {no_child, no_child}, parent, 0});
+    // What may be added is shared out by size, so that no subtree depends on another.
+    static Halves halves_of(const Work& work, int axis, Items left, Items right, double spare) {
+        const double share = spare / double(left.size() + right.size());
+        return {axis,
+                {{left, work.depth + 1, share * double(left.size())},
+                 {right, work.depth + 1, share * double(right.size())}},
+                {}};
+    }
+};
 
-        const Bounds centres = centres_of(items);
-        // A tree of medians below may still need this many levels.
-        const int halvings = std::bit_width(items.size());
-        const bool deep = depth + halvings >= max_sah_depth;
-        Split split = deep ? Split{} : best_cut_between(items, centres);
-        if (!deep && split.overlap > least_overlap * root_area &&
-            references < most_references * triangles.size()) {
-            Bounds box;
-            for (const BuildItem& item : items) box.include(item.box);
-            const Split through = best_cut_through(items, box, triangles, clip);
-            if (through.cost < split.cost) {
-                std::vector<BuildItem> left, right;
-                cut_through(items, triangles, clip, through, left, right);
-                if (!left.empty() && !right.empty() && left.size() < items.size() &&
-                    right.size() < items.size()) {
-                    references += left.size() + right.size() - items.size();
-                    return finish(self, through.axis, build(left, self, depth + 1),
-                                  build(right, self, depth + 1));
-                }
-            }
+struct Child {
+    int child; // as in BvhNode
+    Bounds box;
+};
+
+int add_node(BvhTree& tree, int parent) {
+    tree.nodes.push_back({{}, {no_child, no_child}, parent, 0});
+    return static_cast<int>(tree.nodes.size()) - 1;
+}
+
+Child finish(BvhTree& tree, int self, int axis, const Child& left, const Child& right) {
+    BvhNode& node = tree.nodes[self];
+    node.axis = axis;
+    const Child* half[2] = {&left, &right};
+    for (int k = 0; k < 2; ++k) {
+        for (int a = 0; a < 3; ++a) {
+            node.box[a][0][k] = half[k]->box.low[a];
+            node.box[a][1][k] = half[k]->box.high[a];
         }
-        int axis = split.axis;
-        std::size_t middle = axis >= 0 ? cut_between(items, centres, split) : 0;
-        // No cut, or one that parts nothing and would be made again and again.
-        if (middle == 0 || middle == items.size()) middle = cut_at_median(items, centres, axis);
-        const Child left = build(items.subspan(0, middle), self, depth + 1);
-        return finish(self, axis, left, build(items.subspan(middle), self, depth + 1));
+        node.child[k] = half[k]->child;
+    }
+    Bounds box = left.box;
+    box.include(right.box);
+    return {self, box};
+}
+
+// A subtree, numbered from 0, made by one thread.
+struct Subtree {
+    const Cutter& cutter;
+    BvhTree tree;
+
+    Child leaf(const Work& work) {
+        std::array<int, triangles_per_block> indices;
+        Bounds box;
+        for (std::size_t i = 0; i < work.items.size(); ++i) {
+            indices[i] = work.items[i].index;
+            box.include(work.items[i].box);
+        }
+        append_blocks(cutter.triangles, {indices.data(), work.items.size()}, tree.blocks);
+        return {~static_cast<int>(tree.blocks.size() - 1), box};
     }
 
-    // A tree of one leaf: a root with nothing on its other side.
-    void hang(const Child& leaf) {
-        tree.nodes.push_back({{}, {no_child, no_child}, -1, 0});
-        finish(0, 0, leaf, {no_child, {}});
+    Child build(const Work& work, int parent) {
+        tree.depth = std::max(tree.depth, work.depth);
+        if (work.items.size() <= triangles_per_block) return leaf(work);
+        const int self = add_node(tree, parent);
+        const Halves halves = cutter.cut(work);
+        const Child left = build(halves.half[0], self);
+        return finish(tree, self, halves.axis, left, build(halves.half[1], self));
     }
+};
 
-    Child finish(int self, int axis, const Child& left, const Child& right) {
-        BvhNode& node = tree.nodes[self];
-        node.axis = axis;
-        const Child* half[2] = {&left, &right};
+// A node at the top of the tree that is cut, or a subtree that is built in one go.
+struct Piece {
+    using Memory = std::shared_ptr<const std::vector<BuildItem>>;
+
+    const Cutter& cutter;
+    Memory memory; // of the items
+    Work work;
+    int axis = 0;
+    std::unique_ptr<Piece> half[2] = {};
+    BvhTree tree = {}; // if it is whole
+    Child root = {};   // and its root there
+
+    std::size_t size() const { return work.items.size(); }
+
+    bool cut() {
+        Halves halves = cutter.cut(work);
+        axis = halves.axis;
         for (int k = 0; k < 2; ++k) {
-            for (int a = 0; a < 3; ++a) {
-                node.box[a][0][k] = half[k]->box.low[a];
-                node.box[a][1][k] = half[k]->box.high[a];
-            }
-            node.child[k] = half[k]->child;
+            auto& made = halves.made[k];
+            half[k].reset(new Piece{
+                cutter,
+                made.empty() ? memory : std::make_shared<std::vector<BuildItem>>(std::move(made)),
+                halves.half[k]});
         }
-        Bounds box = left.box;
-        box.include(right.box);
-        return {self, box};
+        memory.reset();
+        return true;
+    }
+
+    void build() {
+        Subtree subtree{cutter, {}};
+        root = subtree.build(work, -1);
+        tree = std::move(subtree.tree);
+        memory.reset();
+    }
+
+    // Appends it to a tree, in the order in which one thread makes nodes.
+    Child append_to(BvhTree& all, int parent) {
+        if (half[0]) {
+            const int self = add_node(all, parent);
+            const Child left = half[0]->append_to(all, self);
+            return finish(all, self, axis, left, half[1]->append_to(all, self));
+        }
+        const int nodes = static_cast<int>(all.nodes.size()),
+                  blocks = static_cast<int>(all.blocks.size());
+        const auto moved = [&](int child) { return child + (is_leaf(child) ? -blocks : nodes); };
+        for (BvhNode node : tree.nodes) {
+            for (int& child : node.child) child = moved(child);
+            node.parent = node.parent < 0 ? parent : node.parent + nodes;
+            all.nodes.push_back(node);
+        }
+        all.blocks.insert(all.blocks.end(), tree.blocks.begin(), tree.blocks.end());
+        all.depth = std::max(all.depth, tree.depth);
+        return {moved(root.child), root.box};
     }
 };
 
 } // namespace
 
-BvhTree build_bvh_sah(const std::vector<Triangle>& triangles) {
-    std::vector<BuildItem> items = build_items(triangles);
-    if (items.empty()) return {};
+BvhTree build_bvh_sah(const std::vector<Triangle>& triangles, int threads) {
+    const auto items = std::make_shared<std::vector<BuildItem>>(build_items(triangles));
+    if (items->empty()) return {};
     Bounds box;
-    for (const BuildItem& item : items) box.include(item.box);
+    for (const BuildItem& item : *items) box.include(item.box);
     const float largest = max_component(glm::max(abs(box.low), abs(box.high)));
-    Builder builder{triangles, KdClip(largest), half_area(box), items.size(), {}};
-    const Child root = builder.build(items, -1, 0);
-    if (is_leaf(root.child)) builder.hang(root);
-    return std::move(builder.tree);
+    const Cutter cutter{triangles, KdClip(largest), half_area(box)};
+    Piece root{cutter, items, {*items, 0, (most_references - 1) * double(items->size())}};
+    build_in_pieces(root, threads);
+
+    BvhTree tree;
+    const Child top = root.append_to(tree, -1);
+    // A tree of one leaf: a root with nothing on its other side.
+    if (is_leaf(top.child)) finish(tree, add_node(tree, -1), 0, top, {no_child, {}});
+    return tree;
 }
 
 } // namespace raylab::lab04

@@ -10,7 +10,7 @@ namespace raylab::lab04 {
 constexpr int max_sah_depth = 48;
 
 // A tree over the triangles that can be hit: one with a NaN or an infinity among its corners is
-// left out. The same tree on every machine, whatever the number of threads.
-BvhTree build_bvh_sah(const std::vector<Triangle>& triangles);
+// left out. The same tree on every machine, whatever the number of threads; 0: one per core.
+BvhTree build_bvh_sah(const std::vector<Triangle>& triangles, int threads = 1);
 
 } // namespace raylab::lab04

@@ -28,9 +28,7 @@ struct Slices {
     int operator()(float x) const {
         return std::clamp(static_cast<int>((x - low) * scale), 0, bins - 1);
     }
-    float begin(int slice) const {
-        return static_cast<float>(low + (double(high) - low) * slice / bins);
-    }
+    float begin(int slice) const { return low + (high - low) * (static_cast<float>(slice) / bins); }
 };
 
 bool has_extent(const Bounds& box, int axis) {
@@ -60,6 +58,7 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
     box = {};
     count = 0;
     for (int plane = 1; plane < bins; ++plane) {
+        if (is_empty(bin[plane - 1].box)) continue; // as good as the plane before
         box.include(bin[plane - 1].box);
         count += bin[plane - 1].starts;
         if (count == 0 || right_count[plane] == 0) continue;
@@ -67,11 +66,36 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
                             half_area(right_box[plane]) * blocks(right_count[plane]);
         if (cost >= best.cost) continue;
         const Bounds both = common(box, right_box[plane]);
-        const bool apart = glm::any(glm::greaterThan(both.low, both.high));
-        best = {cost, axis, plane, 0, apart ? 0 : half_area(both)};
+        best = {cost, axis, plane, 0, is_empty(both) ? 0 : half_area(both)};
     }
     //| not_implemented("4.9", "choose_plane()");
     //]
+}
+
+// Puts the part of the triangle that lies in `box` into the boxes of the bins, slice by slice. In
+// plain float: here it is weighed, and cut_through() cuts with care.
+void chop(const Triangle& triangle, const Bounds& box, int axis, const Slices& slice, Bins& bin) {
+    const float low = box.low[axis], high = box.high[axis];
+    const int last = slice(high);
+    if (slice(low) == last) return bin[last].box.include(box);
+    const auto include = [&](int i, Vec3 p) {
+        bin[i].box.include(glm::min(glm::max(p, box.low), box.high));
+    };
+    for (int i = 0; i < 3; ++i) {
+        Vec3 a = triangle.v[i], b = triangle.v[i == 2 ? 0 : i + 1];
+        if (a[axis] > b[axis]) std::swap(a, b);
+        if (a[axis] > high || b[axis] < low) continue;
+        const Vec3 slope = (b - a) / (b[axis] - a[axis]);
+        const auto at = [&](float plane) { return a + slope * (plane - a[axis]); };
+        int in = slice(std::max(a[axis], low));
+        const int end = slice(std::min(b[axis], high));
+        include(in, a[axis] < low ? at(low) : a);
+        for (; in < end; ++in) {
+            const Vec3 p = at(slice.begin(in + 1));
+            include(in, p), include(in + 1, p);
+        }
+        include(end, b[axis] > high ? at(high) : b);
+    }
 }
 
 } // namespace
@@ -111,22 +135,16 @@ std::size_t cut_between(Items items, const Bounds& centres, const Split& split) 
 }
 
 Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
-                       const std::vector<Triangle>& triangles, const KdClip& clip) {
+                       const std::vector<Triangle>& triangles) {
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
         if (!has_extent(box, axis)) continue;
         const Slices slice(box, axis);
         Bins bin;
         for (const BuildItem& item : items) {
-            const int first = slice(item.box.low[axis]), last = slice(item.box.high[axis]);
-            ++bin[first].starts;
-            ++bin[last].ends;
-            Bounds rest = item.box, part;
-            for (int i = first; i < last; ++i) {
-                clip.cut(triangles[item.index], rest, axis, slice.begin(i + 1), part, rest);
-                bin[i].box.include(part);
-            }
-            bin[last].box.include(rest);
+            ++bin[slice(item.box.low[axis])].starts;
+            ++bin[slice(item.box.high[axis])].ends;
+            chop(triangles[item.index], item.box, axis, slice, bin);
         }
         const double before = best.cost;
         choose_plane(bin, axis, best);
@@ -138,7 +156,6 @@ Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
 void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& triangles,
                  const KdClip& clip, const Split& split, std::vector<BuildItem>& left,
                  std::vector<BuildItem>& right) {
-    const auto empty = [](const Bounds& b) { return glm::any(glm::greaterThan(b.low, b.high)); };
     for (const BuildItem& item : items) {
         const float low = item.box.low[split.axis], high = item.box.high[split.axis];
         if (high <= split.position) {
@@ -149,8 +166,8 @@ void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& 
             BuildItem below = item, above = item;
             clip.cut(triangles[item.index], item.box, split.axis, split.position, below.box,
                      above.box);
-            if (!empty(below.box)) left.push_back(below);
-            if (!empty(above.box)) right.push_back(above);
+            if (!is_empty(below.box)) left.push_back(below);
+            if (!is_empty(above.box)) right.push_back(above);
         }
     }
 }

@@ -35,7 +35,7 @@ Split best_cut_between(std::span<const BuildItem> items, const Bounds& centres);
 std::size_t cut_between(Items items, const Bounds& centres, const Split& split);
 
 Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
-                       const std::vector<Triangle>& triangles, const KdClip& clip);
+                       const std::vector<Triangle>& triangles);
 // References that a cut through leaves on the left and on the right.
 void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& triangles,
                  const KdClip& clip, const Split& split, std::vector<BuildItem>& left,

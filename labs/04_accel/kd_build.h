@@ -8,8 +8,9 @@
 namespace raylab::lab04 {
 
 struct KdBuildSettings {
-    KdCosts costs;
+    KdCosts costs = {};
     double copies = 6; // at most so many references a triangle
+    int threads = 1;   // 0: one per core; the tree is the same from any number
 };
 
 // At most 8 + 1.3 log2 n cuts above a leaf, and never more than kd_max_depth.

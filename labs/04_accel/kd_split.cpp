@@ -11,7 +11,7 @@ namespace raylab::lab04 {
 namespace {
 
 constexpr int bins = 32;
-constexpr std::size_t few = 32; // up to so many, every place is tried
+constexpr std::size_t few = 16; // up to so many, every place is tried
 
 double at(const Vec3& v, int axis) { return (&v.x)[axis]; }
 

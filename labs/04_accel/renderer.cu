@@ -96,7 +96,7 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
     configure_machine(machine); // kernels build, too
-    return make_renderer(scene, machine, Accel(scene, machine.accel));
+    return make_renderer(scene, machine, Accel(scene, machine));
 }
 
 } // namespace raylab::lab04

@@ -193,7 +193,7 @@ TEST(EndlessWalk, StopsTheRenderAndNamesTheRay) {
         two.render.jitter = false;
         return two;
     }();
-    Accel accel(scene, {AccelKind::sah, WalkKind::stack});
+    Accel accel(scene, {.accel = {AccelKind::sah, WalkKind::stack}});
     accel.walk_with(planted_walk());
     const std::unique_ptr<Renderer> renderer =
         make_renderer(scene, {.threads = 1, .block_size = 8}, std::move(accel));
