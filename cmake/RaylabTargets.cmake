@@ -55,3 +55,13 @@ function(raylab_task_tests name)
     set(RAYLAB_TESTS ON) # in this function
     raylab_test(${name} ${ARGN} LABELS tasks)
 endfunction()
+
+# raylab_compile_fast(<target>...): where text is read and written and no ray is traced, -O1 runs as
+# fast as -O3 and compiles in two thirds of its time.
+function(raylab_compile_fast)
+    foreach(target IN LISTS ARGN)
+        if(TARGET ${target})
+            target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+        endif()
+    endforeach()
+endfunction()
