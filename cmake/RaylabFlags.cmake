@@ -58,11 +58,11 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 
 if(RAYLAB_SANITIZE STREQUAL "address")
     target_compile_options(raylab_flags INTERFACE
-        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer;-g>)
+        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer;-g1>)
     target_link_options(raylab_flags INTERFACE -fsanitize=address,undefined)
 elseif(RAYLAB_SANITIZE STREQUAL "thread")
     target_compile_options(raylab_flags INTERFACE
-        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=thread;-fno-omit-frame-pointer;-g>)
+        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=thread;-fno-omit-frame-pointer;-g1>)
     target_link_options(raylab_flags INTERFACE -fsanitize=thread)
 elseif(NOT RAYLAB_SANITIZE STREQUAL "")
     message(FATAL_ERROR "RAYLAB_SANITIZE is '${RAYLAB_SANITIZE}': expected empty, address or thread")
