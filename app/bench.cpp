@@ -155,21 +155,12 @@ std::string command_line(const BenchOptions& options) {
     return command;
 }
 
-// Where a wavefront gains nothing: the table of `raylab rare-cases`, and rare_cases.json beside
-// bench.json.
-void bench_rare_cases(const BenchOptions& options) {
-    if (!options.json) fmt::print("\nRare cases. {}", rare_case_header());
-    const std::vector<RareCaseRow> rows =
-        measure_rare_cases(options.machine, options.plan.rounds, [&](const RareCaseRow& row) {
-            if (!options.json) fmt::print("{}", to_table(row));
-        });
-    write_file(options.folder + "/rare_cases.json", to_json(rows).dump(2) + "\n");
-}
-
 void print(const Bench& bench, const std::string& folder) {
     fmt::print("{}\n", to_string(bench.machine));
     for (const SceneResult& scene : bench.scenes) fmt::print("\n{}", to_table(scene));
     if (bench.against) fmt::print("\n{}", to_table(*bench.against));
+    if (!bench.rare_cases.empty()) fmt::print("\nRare cases. {}", rare_case_header());
+    for (const RareCaseRow& row : bench.rare_cases) fmt::print("{}", to_table(row));
     for (const std::string& note : bench.notes) fmt::print("\n{}\n", note);
     fmt::print("\n[ ] holds the true median with {:.1f} % probability; see {}/bench.html\n",
                100 * interval_coverage(bench.options.plan.rounds), folder);
@@ -192,6 +183,9 @@ ExitCode run_bench(BenchOptions options) try {
     bench.threads = options.machine.threads;
     for (const Scene& scene : scenes)
         bench.scenes.push_back(bench_scene(options, bench.options, scene));
+    if (options.rare_cases)
+        bench.rare_cases = measure_rare_cases(options.machine, options.plan.rounds,
+                                              [](const RareCaseRow&) {}); // shown with the rest
     if (other) bench.against = compare_runs(to_json(bench), *other, options.against);
     write_bench(bench, options.folder);
     if (options.json)
@@ -199,7 +193,6 @@ ExitCode run_bench(BenchOptions options) try {
                                                nlohmann::ordered_json::error_handler_t::replace));
     else
         print(bench, options.folder);
-    if (options.rare_cases) bench_rare_cases(options);
     for (const SceneResult& scene : bench.scenes)
         for (const Row& row : scene.rows)
             if (row.failure.empty() && !row.agrees) return ExitCode::judged_failed;
@@ -248,7 +241,7 @@ Run add_bench(CLI::App& app) {
         ->capture_default_str();
     app.add_flag("--rare-cases", options->rare_cases,
                  "also where a wavefront gains nothing: labs 02 and 03 as in `raylab rare-cases`, "
-                 "and rare_cases.json in the folder");
+                 "in the page, in bench.json and in rare_cases.csv");
     app.add_flag("--json", options->json, "print bench.json instead of the tables");
     add_machine_options(app, options->machine);
     app.footer("Examples:\n"

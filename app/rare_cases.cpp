@@ -3,13 +3,12 @@
 #include "common/cli/progress.h"
 #include "common/scene/load.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace raylab::app {
 
-using nlohmann::ordered_json;
+using bench::RareCaseRow;
+using bench::WavefrontCosts;
 
 namespace {
 
@@ -99,17 +98,6 @@ WavefrontCosts costs_of(const Contestant& contestant) {
     return costs;
 }
 
-ordered_json to_json(const WavefrontCosts& costs) {
-    return {{"seconds", costs.seconds},
-            {"iterations", costs.iterations},
-            {"launches", costs.launches},
-            {"rays", costs.rays},
-            {"blocks", costs.blocks},
-            {"batches", costs.batches},
-            {"share_of_compaction_and_sort", costs.removing},
-            {"share_between_launches", costs.between}};
-}
-
 RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int rounds) {
     const Scene scene = load_scene(find_scene(shown.scene));
     MachineSettings off = machine, on = machine;
@@ -135,19 +123,6 @@ RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int r
             costs_of(without),   costs_of(with)};
 }
 
-ordered_json to_json(const RareCaseRow& row) {
-    const ordered_json megakernel =
-        row.megakernel ? ordered_json{{"seconds", *row.megakernel}} : ordered_json(nullptr);
-    return {{"case", row.name},
-            {"scene", row.scene},
-            {"why", row.why},
-            {"width", row.width},
-            {"height", row.height},
-            {"megakernel", megakernel},
-            {"without", to_json(row.without)},
-            {"with", to_json(row.with)}};
-}
-
 } // namespace
 
 std::vector<RareCaseRow> measure_rare_cases(const MachineSettings& machine, int rounds,
@@ -162,39 +137,6 @@ std::vector<RareCaseRow> measure_rare_cases(const MachineSettings& machine, int 
         progress.update(static_cast<int>(rows.size()));
     }
     return rows;
-}
-
-std::string rare_case_header() {
-    return fmt::format("Per sample of the whole image; live rays: mean of an iteration's; between: "
-                       "share of the time between launches.\n"
-                       "  {:20} {:>9} {:>7} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9}\n",
-                       "", "ms", "to 02", "iter.", "live rays", "blocks", "batches", "launches",
-                       "removing", "between");
-}
-
-std::string to_table(const RareCaseRow& row) {
-    const auto ratio = [&](double seconds) {
-        return row.megakernel ? fmt::format("{:.2f}", seconds / *row.megakernel) : "-";
-    };
-    const auto line = [&](const char* name, const WavefrontCosts& c) {
-        return fmt::format("  {:20} {:9.3f} {:>7} {:6.0f} {:9.0f} {:8.0f} {:8.0f} {:8.0f} "
-                           "{:7.1f} % {:7.1f} %\n",
-                           name, 1e3 * c.seconds, ratio(c.seconds), c.iterations,
-                           c.rays / c.iterations, c.blocks, c.batches, c.launches, 100 * c.removing,
-                           100 * c.between);
-    };
-    std::string text =
-        fmt::format("{}: {}, {} x {}. {}\n", row.name, row.scene, row.width, row.height, row.why);
-    if (row.megakernel)
-        text += fmt::format("  {:20} {:9.3f} {:>7}\n", "megakernel", 1e3 * *row.megakernel,
-                            ratio(*row.megakernel));
-    return text + line("without compaction", row.without) + line("with it", row.with);
-}
-
-ordered_json to_json(const std::vector<RareCaseRow>& rows) {
-    ordered_json json = ordered_json::array();
-    for (const RareCaseRow& row : rows) json.push_back(to_json(row));
-    return json;
 }
 
 } // namespace raylab::app

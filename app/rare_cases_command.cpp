@@ -15,9 +15,9 @@ struct RareCaseOptions {
 };
 
 ExitCode run_rare_cases(const RareCaseOptions& options) {
-    if (!options.json) fmt::print("{}", rare_case_header());
-    const std::vector<RareCaseRow> rows =
-        measure_rare_cases(options.machine, options.rounds, [&](const RareCaseRow& row) {
+    if (!options.json) fmt::print("{}", bench::rare_case_header());
+    const std::vector<bench::RareCaseRow> rows =
+        measure_rare_cases(options.machine, options.rounds, [&](const bench::RareCaseRow& row) {
             if (!options.json) fmt::print("{}", to_table(row));
         });
     if (options.json) fmt::print("{}\n", to_json(rows).dump(2));

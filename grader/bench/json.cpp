@@ -94,6 +94,7 @@ ordered_json to_json(const Bench& bench) {
                                   {"rows", rows}});
     }
     if (bench.against) json["against"] = to_json(*bench.against);
+    if (!bench.rare_cases.empty()) json["rare_cases"] = to_json(bench.rare_cases);
     return json;
 }
 
@@ -103,6 +104,7 @@ void write_bench(const Bench& bench, const std::string& folder) {
     write_file(folder + "/bench.json",
                json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
     write_file(folder + "/bench.csv", to_csv(bench));
+    if (!bench.rare_cases.empty()) write_file(folder + "/rare_cases.csv", to_csv(bench.rare_cases));
     write_file(folder + "/bench.html", page_html(json, to_string(bench.machine)));
 }
 

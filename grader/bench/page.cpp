@@ -2,6 +2,7 @@
 
 #include "grader/bench/html_cells.h"
 #include "grader/bench/page_parts.h"
+#include "grader/bench/rare_case.h"
 #include "grader/bench/text.h"
 #include "grader/report/html.h"
 #include "grader/report/page_parts.h"
@@ -133,7 +134,7 @@ std::string page_html(const json& bench, const std::string& machine) {
         "<header><h1>Speed against error</h1>\n<p class=\"summary\">{} rounds, {} threads, up to "
         "{} "
         "samples a pixel; ratios to <strong>{}</strong> in the same round</p>\n"
-        "<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}</header>\n{}{}"
+        "<p class=\"machine\">{}</p>\n<p class=\"machine\"><code>{}</code></p>\n{}</header>\n{}{}{}"
         "<section><h2>How this was measured</h2>\n<p class=\"reason\">Contestants take turns, "
         "every run "
         "with a seed of its own. Figures are medians over the rounds; an interval holds the true "
@@ -147,6 +148,7 @@ std::string page_html(const json& bench, const std::string& machine) {
         bench.at("spp").back().get<int>(), text(bench.at("baseline")), escape_html(machine),
         text(bench.at("command")), notes, sections,
         bench.contains("against") ? against_html(bench.at("against")) : "",
+        bench.contains("rare_cases") ? rare_cases_html(bench.at("rare_cases")) : "",
         100 * bench.at("interval_coverage").get<double>(),
         joined(bench.at("spp").get<std::vector<int>>(), " and "));
     return html_page({"raylab bench", std::string(raylab::page_css) + page_css, body,

@@ -128,7 +128,35 @@ function plotBounces(figure, scene) {
         add(svg, "text", { class: `name ${label.c}`, x: box.right + 8, y: label.y + 4 }, label.text);
 }
 
-const plots = { error: plotError, efficiency: plotEfficiency, bounces: plotBounces };
+// Two bars a case: without compaction and with it, over the megakernel's time or the blocks without.
+function plotRareCases(figure) {
+    const quantity = figure.dataset.quantity, timed = quantity === "seconds", all = bench.rare_cases;
+    const of_megakernel = timed && all.every(row => row.megakernel);
+    const base = row => of_megakernel ? row.megakernel.seconds : row.without[quantity];
+    const left = 122, right = 470, top = 46, step = 40, bar = 13, bottom = top + step * all.length;
+    const svg = canvas(figure, 540, bottom + 22, `${quantity} of each rare case, without compaction and with it`);
+    const high = Math.max(1, ...all.flatMap(row => [row.without, row.with].map(c => c[quantity] / base(row))));
+    const x = v => left + v / high * (right - left);
+    add(svg, "text", { class: "title", x: left, y: 14 }, timed ? "time of a sample" : "blocks a sample");
+    add(svg, "text", { class: "name c0", x: right - 60, y: 14, "text-anchor": "end" }, "without compaction");
+    add(svg, "text", { class: "name c1", x: right, y: 14, "text-anchor": "end" }, "with it");
+    all.forEach((row, k) => {
+        const y = top + k * step;
+        add(svg, "text", { class: "value", x: left - 10, y: y + bar + 4, "text-anchor": "end" }, row.case);
+        [row.without, row.with].forEach((costs, j) => {
+            const ratio = costs[quantity] / base(row), end = x(ratio);
+            const figures = timed ? `${short(1e3 * costs.seconds)} ms` : `${short(costs.blocks)} blocks`;
+            add(add(svg, "rect", { class: `fill c${j}`, x: left, y: y + j * (bar + 1), width: Math.max(1, end - left), height: bar, rx: 2 }),
+                "title", {}, `${row.case}, ${j ? "with" : "without"} compaction: ${figures}`);
+            add(svg, "text", { x: end + 6, y: y + j * (bar + 1) + 11 }, ratio.toFixed(2));
+        });
+    });
+    add(svg, "line", { class: "axis", x1: left, x2: left, y1: top - 8, y2: bottom });
+    add(svg, "line", { class: "target", x1: x(1), x2: x(1), y1: top - 8, y2: bottom });
+    add(svg, "text", { x: x(1), y: bottom + 16, "text-anchor": "middle" }, of_megakernel ? "1 = megakernel" : "1 = without compaction");
+}
+
+const plots = { error: plotError, efficiency: plotEfficiency, bounces: plotBounces, rare_cases: plotRareCases };
 for (const figure of document.querySelectorAll("figure.plot"))
     plots[figure.dataset.plot](figure, bench.scenes[Number(figure.dataset.scene)]);
 document.body.dataset.ready = "true";

@@ -45,6 +45,9 @@ third_party=$scratch/other/third_party
     failed "the small project" "$scratch/log"
 "$scratch/build/uses_all" || failed "the small program"
 
+# A package that CMake found in the system?
+! grep '^[^ ]*_DIR:PATH=/usr' "$scratch/build/CMakeCache.txt" >"$scratch/packages" ||
+    failed "packages of the system's:" "$scratch/packages"
 # A header that was collected, and yet read from the system?
 ninja -C "$scratch/build" -t deps | sed -n 's,^ */usr/include/,,p' | while read -r header; do
     [ ! -e "$third_party/usr/include/$header" ] || echo "/usr/include/$header"
