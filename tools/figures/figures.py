@@ -22,7 +22,7 @@ import tempfile
 
 from PIL import Image
 
-from plot import COLOURS, INK, Plot
+from plot import COLOURS, INK, Plot, save_beside
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LAB01, LAB02, LAB04 = (ROOT / "labs" / lab / "figures"
@@ -235,27 +235,58 @@ def stadium(raylab):
 
 
 def scaling(raylab):
-    """What a ray costs as a mesh grows: every structure, and testing all triangles."""
+    """What building and a ray cost as a mesh grows: every structure and walk, and all triangles."""
     folder = raylab.scratch / "scaling"
-    run_quietly(raylab.program, "bench-rays", "--scaling", "terrain", "--triangles", "100..1000000",
-                "--structures", "brute", "kd_ropes", "lbvh_trail", "sah_trail", "wide_trail",
-                "--rays", "diffuse1", "--size", "128x128", "--builds", "1", "-o", folder)
-    curves = {}
+    structures = ["embree", "kd_stack", "kd_ropes", "kd_restart", "lbvh_trail", "sah_stack",
+                  "sah_skip", "sah_parent", "sah_trail", "wide_stack", "wide_trail", "brute"]
+    run_quietly(raylab.program, "bench-rays", "--scaling", "terrain", "--triangles", "100..4000000",
+                "--structures", *structures, "--rays", "diffuse1", "--size", "128x128",
+                "--builds", "1", "-o", folder)
     with open(folder / "rays.csv", newline="", encoding="utf-8") as table:
-        for row in csv.DictReader(table):
-            if row["mrays_per_second"]:
-                nanoseconds = 1000 / float(row["mrays_per_second"])
-                curves.setdefault(row["structure"], []).append((int(row["triangles"]), nanoseconds))
-    plot = Plot("A hilly terrain: time of a ray after one bounce", "triangles",
-                "nanoseconds a ray", (80, 1.3e6), (50, 3e4), log=True)
-    plot.ticks([10**k for k in range(2, 7)], (100, 1000, 10000), x_format="{:,}", y_format="{:,}")
-    names = {"brute": "all triangles", "kd_ropes": "kd, ropes", "lbvh_trail": "lbvh, trail",
-             "sah_trail": "sah, trail", "wide_trail": "wide, trail"}
-    for (name, points), colour in zip(curves.items(), COLOURS):
-        inside = [(n, t) for n, t in points if t < 3e4]
-        plot.curve(inside, names[name], colour, dy=-8 if name == "kd_ropes" else 0)
-        print(name, ", ".join(f"{n}: {t:.0f}" for n, t in points))
-    plot.save(LAB04 / "scaling.svg")
+        rows = [row for row in csv.DictReader(table) if row["mrays_per_second"]]
+    build, trace = {}, {}  # name: (triangles, figure) pairs
+    for row in rows:
+        name, n = row["structure"], int(row["triangles"])
+        trace.setdefault(name, []).append((n, 1000 / float(row["mrays_per_second"])))
+        if row["build_seconds"]:
+            build.setdefault(name, []).append((n, 1e6 * float(row["build_seconds"]) / n))
+    print_scaling(build, trace)
+
+    # A colour for what is built, a line for each of its walks: "sah_skip".
+    built = list(dict.fromkeys(name.split("_")[0] for name in trace))
+    colours = {name: COLOURS[built.index(name.split("_")[0])] for name in trace}
+    walks = {what: [name for name in trace if name.split("_")[0] == what] for what in built}
+    ticks = [10**k for k in range(2, 7)]
+    left = Plot("Building", "triangles of a hilly terrain", "microseconds a triangle", (80, 4.5e6),
+                (0.03, 20), log=True, width=460, height=400)
+    left.ticks(ticks, (0.1, 1, 10), x_format="{:,}")
+    right = Plot("A ray after one bounce", "triangles", "nanoseconds", (80, 4.5e6), (40, 2e5),
+                 log=True, width=480, height=400)
+    right.ticks(ticks, (100, 1000, 10_000, 100_000), x_format="{:,}", y_format="{:,}")
+    for what in built:
+        first = walks[what][0]
+        if first in build:
+            left.curve(build[first], "", colours[first])
+        for name, dash in zip(walks[what], ("", "7 4", "2 3", "9 3 2 3")):
+            right.curve(trace[name], "", colours[name], dots=not dash, dash=dash)
+    left.names([(build[walks[what][0]][-1], what, colours[walks[what][0]])
+                for what in built if walks[what][0] in build])
+    right.names([(points[-1], name.replace("brute", "all triangles"), colours[name])
+                 for name, points in trace.items()])
+    save_beside(LAB04 / "scaling.svg", [left, right])
+
+
+def print_scaling(build, trace):
+    """For docs/measurements: time of a ray, and building where a structure has its first walk."""
+    counts = [n for n, _ in max(trace.values(), key=len)]
+    for title, curves, form in (("a ray, ns", trace, "{:.0f}"),
+                                ("building, us a triangle", build, "{:.2f}")):
+        print(f"| {title} | " + " | ".join(curves) + " |")
+        print("|---" * (len(curves) + 1) + "|")
+        for n in counts:
+            cells = [form.format(dict(points)[n]) if n in dict(points) else "-"
+                     for points in curves.values()]
+            print(f"| {n:,} | " + " | ".join(cells) + " |")
 
 
 def read_pfm(path):

@@ -2,7 +2,7 @@
 import html
 import math
 
-COLOURS = ["#c0392b", "#1f6fb2", "#2e8b57", "#b8860b", "#6b4c9a"]
+COLOURS = ["#c0392b", "#1f6fb2", "#2e8b57", "#b8860b", "#6b4c9a", "#177f92"]
 INK, GRID = "#333", "#ddd"
 
 
@@ -12,10 +12,8 @@ class Plot:
     def __init__(self, title, x_label, y_label, x, y, log=False, width=560, height=340):
         self.x, self.y, self.log = x, y, log
         self.left, self.right, self.top, self.bottom = 64, width - 150, 40, height - 52
-        self.parts = [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-            f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12" fill="{INK}">',
-            f'<rect width="{width}" height="{height}" fill="white"/>']
+        self.width, self.height = width, height
+        self.parts = [f'<rect width="{width}" height="{height}" fill="white"/>']
         middle = (self.left + self.right) / 2
         self.text(middle, 22, title, "middle", size=14)
         self.text(middle, height - 14, x_label, "middle")
@@ -50,7 +48,7 @@ class Plot:
             self.text(self.left - 7, self.place(self.x[0], y)[1] + 4, y_format.format(y), "end")
 
     def curve(self, points, name, colour, dots=True, dash="", dy=0):
-        """points: (x, y) pairs; the name stands beside the last, dy pixels lower."""
+        """points: (x, y) pairs; the name, if any, stands beside the last, dy pixels lower."""
         places = [self.place(x, y) for x, y in points]
         path = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
         self.parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" '
@@ -58,7 +56,31 @@ class Plot:
         if dots:
             self.parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{colour}"/>'
                            for x, y in places]
-        self.text(places[-1][0] + 8, places[-1][1] + 4 + dy, name, colour=colour)
+        if name:
+            self.text(places[-1][0] + 8, places[-1][1] + 4 + dy, name, colour=colour)
+
+    def names(self, ends, gap=14):
+        """ends: (last point, name, colour) of curves; names at the right edge, moved apart."""
+        low = self.top
+        for point, name, colour in sorted(ends, key=lambda end: -end[0][1]):
+            x, y = self.place(*point)
+            low = max(low, y)
+            self.parts.append(f'<path d="M{x + 4:.1f} {y:.1f} L{self.right + 6:.1f} {low:.1f}" '
+                              f'stroke="{colour}" stroke-opacity="0.4"/>')
+            self.text(self.right + 9, low + 4, name, colour=colour)
+            low += gap
 
     def save(self, path):
-        path.write_text("\n".join(self.parts + ["</svg>"]) + "\n")
+        save_beside(path, [self])
+
+
+def save_beside(path, plots):
+    """One picture of several plots, from left to right."""
+    width, height = sum(plot.width for plot in plots), max(plot.height for plot in plots)
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12" fill="{INK}">']
+    x = 0
+    for plot in plots:
+        parts += [f'<g transform="translate({x} 0)">' if x else "<g>", *plot.parts, "</g>"]
+        x += plot.width
+    path.write_text("\n".join(parts + ["</svg>"]) + "\n")

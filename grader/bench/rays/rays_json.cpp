@@ -3,6 +3,8 @@
 #include "grader/bench/json_parts.h"
 #include "grader/bench/rays/rays_bench.h"
 
+#include <algorithm>
+
 namespace raylab::bench {
 
 using nlohmann::ordered_json;
@@ -60,6 +62,27 @@ ordered_json to_json(const RaySummary& s) {
             {"why_not", s.why_not}};
 }
 
+// How plots show each structure. A name says what is built, then how it is walked: "sah_skip". What
+// is built has a colour, 0 to 7, and its walks, counted from 0, have lines of their own.
+ordered_json styles(const RaysBench& bench) {
+    ordered_json result = ordered_json::object();
+    std::vector<std::string> built; // in order of appearance
+    std::vector<int> walks;
+    for (const RayRace& race : bench.races)
+        for (const RayRow& row : race.rows) {
+            if (result.contains(row.name)) continue;
+            const std::string what = row.name.substr(0, row.name.find('_'));
+            const auto place =
+                std::size_t(std::find(built.begin(), built.end(), what) - built.begin());
+            if (place == built.size()) {
+                built.push_back(what);
+                walks.push_back(0);
+            }
+            result[row.name] = {{"built", what}, {"colour", place % 8}, {"walk", walks[place]++}};
+        }
+    return result;
+}
+
 } // namespace
 
 ordered_json to_json(const RaysBench& bench) {
@@ -79,6 +102,7 @@ ordered_json to_json(const RaysBench& bench) {
                          {"tolerated_share", tolerated_share},
                          {"interval_coverage", interval_coverage(bench.options.rounds)},
                          {"notes", bench.notes}};
+    json["styles"] = styles(bench);
     json["races"] = ordered_json::array();
     for (const RayRace& race : bench.races) json["races"].push_back(to_json(race));
     json["summaries"] = ordered_json::array();

@@ -17,10 +17,15 @@ namespace {
 using namespace html;
 using json = nlohmann::ordered_json;
 
-std::string name_cell(const json& row, std::size_t colour, bool is_baseline) {
-    return fmt::format("<td><span class=\"key c{}\"></span><strong>{}</strong>{}<span "
-                       "class=\"interval\">{}</span></td>",
-                       colour % 8, text(row.at("name")), is_baseline ? " <em>baseline</em>" : "",
+std::string key(const json& name, const json& bench) {
+    return fmt::format("<span class=\"key c{}\"></span>",
+                       bench.at("styles").at(name.get<std::string>()).at("colour").get<int>());
+}
+
+std::string name_cell(const json& row, const json& bench) {
+    return fmt::format("<td>{}<strong>{}</strong>{}<span class=\"interval\">{}</span></td>",
+                       key(row.at("name"), bench), text(row.at("name")),
+                       row.at("name") == bench.at("baseline") ? " <em>baseline</em>" : "",
                        text(row.at("title")));
 }
 
@@ -30,9 +35,8 @@ std::string optional(const json& value) {
 
 std::string builds_html(const json& race, const json& bench) {
     std::string rows;
-    for (std::size_t i = 0; i < race.at("rows").size(); ++i) {
-        const json& row = race.at("rows")[i];
-        rows += "<tr>" + name_cell(row, i, row.at("name") == bench.at("baseline"));
+    for (const json& row : race.at("rows")) {
+        rows += "<tr>" + name_cell(row, bench);
         rows += row.contains("failure")
                     ? "<td colspan=\"3\" class=\"hint\">" + text(row.at("failure")) + "</td>"
                     : cell(html::measured(row.at("build_seconds"))) +
@@ -48,15 +52,14 @@ std::string builds_html(const json& race, const json& bench) {
            "<tbody>" + rows + "</tbody></table>\n";
 }
 
-std::string cells_html(const json& race) {
+std::string cells_html(const json& race, const json& bench) {
     std::string rows;
-    for (std::size_t i = 0; i < race.at("rows").size(); ++i) {
-        const json& row = race.at("rows")[i];
+    for (const json& row : race.at("rows")) {
         if (row.contains("failure")) continue;
         for (const json& c : row.at("cells"))
             rows += fmt::format(
-                "<tr><td><span class=\"key c{}\"></span>{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n",
-                i % 8, text(row.at("name")), text(c.at("rays")),
+                "<tr><td>{}{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n", key(row.at("name"), bench),
+                text(row.at("name")), text(c.at("rays")),
                 cell(html::measured(c.at("mrays_per_second"))),
                 cell(c.at("agrees").get<bool>() ? html::measured(c.at("ratio"), "&times;&#8239;")
                                                 : "answers differ: no ratio"),
@@ -90,27 +93,29 @@ std::string race_html(const json& race, std::size_t index, const json& bench) {
            plot("rays", index,
                 "Million rays a second with its interval, by kind of ray; above a bar the ratio to "
                 "the baseline. Higher is better.") +
-           builds_html(race, bench) + cells_html(race) + "</section>\n";
+           builds_html(race, bench) + cells_html(race, bench) + "</section>\n";
 }
 
 std::string scaling_html(const json& bench) {
     if (bench.at("scaling").get<std::string>().empty()) return "";
     return "<section><h2>Growth</h2>\n<div class=\"plots\">" +
-           plot("build", 0,
-                "Seconds to build against triangles, both logarithmic. Dashed: in proportion.") +
-           plot("trace", 0,
-                "Microseconds a ray, mean over the kinds of rays, against triangles, both "
-                "logarithmic. A tree's grows with the logarithm of the triangles, brute force's "
-                "in proportion.") +
+           plot(
+               "build", 0,
+               "Microseconds to build, of each triangle, both logarithmic: level is in proportion. "
+               "One line for each that is built, as for the first of its walks.") +
+           plot(
+               "trace", 0,
+               "Nanoseconds a ray, mean over the kinds of rays, both logarithmic. A colour is what "
+               "is built, a line how it is walked. A tree's grows with the logarithm of the "
+               "triangles, brute force's in proportion.") +
            "</div></section>\n";
 }
 
 std::string summaries_html(const json& bench) {
     std::string rows;
-    for (std::size_t i = 0; i < bench.at("summaries").size(); ++i) {
-        const json& s = bench.at("summaries")[i];
+    for (const json& s : bench.at("summaries")) {
         rows += fmt::format(
-            "<tr><td><span class=\"key c{}\"></span>{}</td>{}{}</tr>\n", i % 8, text(s.at("name")),
+            "<tr><td>{}{}</td>{}{}</tr>\n", key(s.at("name"), bench), text(s.at("name")),
             cell(s.at("mean").is_null() ? text(s.at("why_not"))
                                         : html::measured(s.at("mean"), "&times;&#8239;")),
             cell(s.at("mean").is_null()

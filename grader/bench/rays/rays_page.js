@@ -1,10 +1,11 @@
 // Draws the plots of a bench of rays, with plot_parts.js before it.
 
-// Rows that have figures, with their place in the table (and so their colour).
-const rows = race => race.rows.map((row, i) => ({ ...row, i })).filter(row => !row.failure);
+// Rows that have figures.
+const rows = race => race.rows.filter(row => !row.failure);
 
-// There are eight colours; from the ninth structure on lines are dashed, and bars paler.
-const style = i => colour(i) + (i >= 8 ? " second" : "");
+// What is built has a colour; its walks share it, in lines and bars of their own.
+const hue = row => "c" + bench.styles[row.name].colour;
+const style = row => `${hue(row)} walk${bench.styles[row.name].walk}`;
 
 // Bars side by side, a group for each kind of ray.
 function plotRays(figure) {
@@ -37,7 +38,7 @@ function plotRays(figure) {
         drawn.forEach((row, j) => {
             const cell = row.cells[k], m = cell.mrays_per_second, x = middle + (j - drawn.length / 2) * bar;
             if (m.median === null) return;
-            const shape = { class: `${cell.agrees ? "fill" : "differs-bar"} ${style(row.i)}`, x: x + 1.5, y: y(m.median),
+            const shape = { class: `${cell.agrees ? "fill" : "differs-bar"} ${style(row)}`, x: x + 1.5, y: y(m.median),
                             width: Math.max(1, bar - 3), height: box.bottom - y(m.median), rx: 2 };
             add(add(svg, "rect", shape), "title", {}, `${row.title}, ${kind}: ${short(m.median)} Mrays/s` +
                 (cell.agrees ? "" : ", answers differ"));
@@ -48,18 +49,18 @@ function plotRays(figure) {
                     short(Number(cell.ratio.median.toPrecision(2))));
         });
     });
-    for (const { row, x, y } of names) add(svg, "text", { class: `name ${colour(row.i)}`, x, y }, row.name);
+    for (const { row, x, y } of names) add(svg, "text", { class: `name ${hue(row)}`, x, y }, row.name);
 }
 
-// One line a structure over the meshes' sizes: `value(row)` is what is drawn, or nothing.
-function plotGrowth(figure, title, value, has_slope) {
+// A line a structure over the meshes' sizes: `value(row, triangles)` is what is drawn, or nothing.
+function plotGrowth(figure, title, name_of, value) {
     const lines = new Map();
     for (const race of bench.races)
         for (const row of rows(race)) {
-            const v = value(row);
+            const v = value(row, race.triangles), name = name_of(row);
             if (!(v > 0)) continue;
-            if (!lines.has(row.name)) lines.set(row.name, { c: colour(row.i), line: style(row.i), points: [] });
-            lines.get(row.name).points.push({ n: race.triangles, v });
+            if (!lines.has(name)) lines.set(name, { c: hue(row), line: style(row), points: [] });
+            lines.get(name).points.push({ n: race.triangles, v });
         }
     const points = [...lines.values()].flatMap(line => line.points);
     if (!points.length) return figure.remove();
@@ -78,14 +79,6 @@ function plotGrowth(figure, title, value, has_slope) {
     }
     add(svg, "text", { class: "title", x: box.left, y: 14 }, title);
     add(svg, "text", { x: box.right, y: box.bottom + 38, "text-anchor": "end" }, "triangles");
-    if (has_slope) { // lines of v = c n, a decade apart
-        const id = "clip_" + figure.dataset.plot, clip = add(add(svg, "defs"), "clipPath", { id });
-        add(clip, "rect", { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top });
-        const guides = add(svg, "g", { "clip-path": `url(#${id})` });
-        for (let c = Math.floor(Math.log10(y.low / x.high)); c <= Math.ceil(Math.log10(y.high / x.low)); c++)
-            add(guides, "line", { class: "guide", x1: x.scale(x.low), y1: y.scale(x.low * 10 ** c),
-                                  x2: x.scale(x.high), y2: y.scale(x.high * 10 ** c) });
-    }
     const labels = [];
     for (const [name, { c, line, points }] of lines) {
         add(svg, "polyline", { class: `line stroke ${line}`, points: points.map(p => `${x.scale(p.n)},${y.scale(p.v)}`).join(" ") });
@@ -101,15 +94,17 @@ function plotGrowth(figure, title, value, has_slope) {
     }
 }
 
-const microseconds = row => {
-    const times = row.cells.map(cell => cell.mrays_per_second.median).filter(v => v > 0).map(v => 1 / v);
+const nanoseconds = row => {
+    const times = row.cells.map(cell => cell.mrays_per_second.median).filter(v => v > 0).map(v => 1e3 / v);
     return times.reduce((a, b) => a + b, 0) / times.length;
 };
+const buildTime = (row, triangles) =>
+    bench.styles[row.name].walk === 0 ? 1e6 * row.build_seconds.median / triangles : null;
 
 const plots = {
     rays: plotRays,
-    build: figure => plotGrowth(figure, "seconds to build", row => row.build_seconds.median, true),
-    trace: figure => plotGrowth(figure, "microseconds a ray", microseconds, false),
+    build: figure => plotGrowth(figure, "microseconds to build a triangle", row => bench.styles[row.name].built, buildTime),
+    trace: figure => plotGrowth(figure, "nanoseconds a ray", row => row.name, nanoseconds),
 };
 for (const figure of document.querySelectorAll("figure.plot")) plots[figure.dataset.plot](figure);
 document.body.dataset.ready = "true";

@@ -59,6 +59,21 @@ TEST(RaysJson, HoldsRoundsAndNoRatioOfWrongAnswers) {
     EXPECT_EQ(nlohmann::ordered_json::parse(json.dump()), json);
 }
 
+TEST(RaysJson, GivesWhatIsBuiltAColourAndItsWalksLinesOfTheirOwn) {
+    RaysBench bench = everything();
+    bench.races = {race(small_mesh("terrain"),
+                        {fake("embree"), fake("kd_stack"), fake("sah_trail"), fake("kd_ropes")},
+                        bench.options)};
+    const auto styles = to_json(bench)["styles"];
+    EXPECT_EQ(styles["kd_stack"]["colour"], styles["kd_ropes"]["colour"]);
+    EXPECT_EQ(styles["kd_stack"]["walk"], 0);
+    EXPECT_EQ(styles["kd_ropes"]["walk"], 1);
+    EXPECT_EQ(styles["kd_ropes"]["built"], "kd");
+    EXPECT_EQ(styles["sah_trail"]["walk"], 0);
+    EXPECT_NE(styles["sah_trail"]["colour"], styles["kd_stack"]["colour"]);
+    EXPECT_NE(styles["embree"]["colour"], styles["kd_stack"]["colour"]);
+}
+
 TEST(RaysTable, SaysWhoGetsNoRatioAndWhy) {
     const RaysBench bench = everything();
     const std::string table = to_table(bench.races[0], "right");
@@ -97,7 +112,7 @@ TEST(RaysPage, DrawsItsPlotsInABrowser) {
     std::filesystem::remove_all(folder);
     if (page.empty()) GTEST_SKIP() << "Chromium does not start here";
     EXPECT_THAT(page, HasSubstr("data-ready=\"true\"")) << "the script did not run to its end";
-    EXPECT_THAT(page, HasSubstr("seconds to build against triangles"));
+    EXPECT_THAT(page, HasSubstr("microseconds to build a triangle against triangles"));
     EXPECT_THAT(page, HasSubstr("the &lt;right&gt;, fake, primary: 10 Mrays/s"));
     EXPECT_THAT(page, HasSubstr("primary: 20 Mrays/s, answers differ"));
 }
