@@ -46,11 +46,11 @@ class Writer {
 
   private:
     // The slots, which are the children in the order of octant 0, in the order of another octant.
-    std::uint32_t order_of(int binary, int level, int octant,
+    std::uint32_t order_of(int binary, WidePlan::Choice choice, int octant,
                            const std::vector<WideChild>& slots) const {
         std::uint32_t order = 0;
         int place = 0;
-        for (const WideChild& c : plan_.children(binary, level, octant)) {
+        for (const WideChild& c : plan_.children(binary, choice, octant)) {
             const auto same = [&](const WideChild& other) { return other.child == c.child; };
             const auto slot = std::find_if(slots.begin(), slots.end(), same) - slots.begin();
             order |= static_cast<std::uint32_t>(slot) << 3 * place++;
@@ -67,7 +67,8 @@ class Writer {
     // Node `self`, which stands for a binary one, and all below it.
     void write(int self, int binary, int parent, int level) {
         tree_.levels = std::max(tree_.levels, level + 1);
-        const std::vector<WideChild> slots = plan_.children(binary, level, 0);
+        const WidePlan::Choice choice = plan_.choose(binary, level);
+        const std::vector<WideChild> slots = plan_.children(binary, choice, 0);
         Bounds box;
         for (const WideChild& c : slots) box.include(c.box);
         include(box);
@@ -78,7 +79,7 @@ class Writer {
         node.first_child = static_cast<int>(tree_.nodes.size());
         node.first_block = static_cast<int>(tree_.blocks.size());
         for (int octant = 0; octant < 8; ++octant)
-            node.order[octant] = order_of(binary, level, octant, slots);
+            node.order[octant] = order_of(binary, choice, octant, slots);
         std::vector<int> inner;
         for (std::size_t slot = 0; slot < slots.size(); ++slot) {
             const WideChild& c = slots[slot];

@@ -74,16 +74,16 @@ void WidePlan::gather_both(int node, int places, Choice choice, int octant,
 WidePlan::Choice WidePlan::choose(int node, int level) const {
     static_assert(3 * max_wide_levels >= max_sah_depth);
     const int allowed = 3 * (max_wide_levels - level - 1);
-    std::vector<WideChild> planned;
-    gather_both(node, wide_children, Choice::planned, 0, planned);
+    const std::vector<WideChild> planned = children(node, Choice::planned, 0);
     const bool too_high = std::any_of(planned.begin(), planned.end(),
                                       [&](const WideChild& c) { return height_of(c) > allowed; });
     return too_high ? Choice::even : Choice::planned;
 }
 
-std::vector<WideChild> WidePlan::children(int node, int level, int octant) const {
+std::vector<WideChild> WidePlan::children(int node, Choice choice, int octant) const {
     std::vector<WideChild> found;
-    gather_both(node, wide_children, choose(node, level), octant, found);
+    found.reserve(wide_children);
+    gather_both(node, wide_children, choice, octant, found);
     return found;
 }
 

@@ -19,10 +19,16 @@ class WidePlan {
     // tree: deep as build_bvh_sah() makes it at most; each node behind its parent.
     explicit WidePlan(const BvhTree& tree);
 
-    // The children of the wide node that stands for this binary node in this level, at most eight,
-    // from near to far for rays of the octant: at each binary node the lower child comes first,
-    // unless they go down the axis.
-    std::vector<WideChild> children(int node, int level, int octant) const;
+    // How children are chosen: by the plan, or, where a chain of nodes might need more levels than
+    // there are, evenly: three binary levels are one wide one.
+    enum class Choice { planned, even };
+
+    // For the wide node that stands for this binary node in this level.
+    Choice choose(int node, int level) const;
+
+    // Its children, at most eight, from near to far for rays of the octant: at each binary node the
+    // lower child comes first, unless they go down the axis.
+    std::vector<WideChild> children(int node, Choice choice, int octant) const;
 
   private:
     // What a binary subtree costs at best if it hangs in its parent as at most i + 1 children: a
@@ -33,15 +39,10 @@ class WidePlan {
         int height; // binary nodes from here to the deepest one
     };
 
-    // How children are chosen: by the plan, or, where a chain of nodes might need more levels than
-    // there are, evenly: three binary levels are one wide one.
-    enum class Choice { planned, even };
-
     WideChild child_of(int node, int k) const;
     int height_of(const WideChild& c) const;
     double cost(const WideChild& c, int children) const;
     Forest plan(int node) const;
-    Choice choose(int node, int level) const;
     void gather(const WideChild& c, int places, Choice choice, int octant,
                 std::vector<WideChild>& found) const;
     void gather_both(int node, int places, Choice choice, int octant,
