@@ -254,25 +254,27 @@ def scaling(raylab):
 
     # A colour for what is built, a line for each of its walks: "sah_skip".
     built = list(dict.fromkeys(name.split("_")[0] for name in trace))
-    colours = {name: COLOURS[built.index(name.split("_")[0])] for name in trace}
+    colours = {name: ([*COLOURS, INK])[built.index(name.split("_")[0])] for name in trace}
     walks = {what: [name for name in trace if name.split("_")[0] == what] for what in built}
     ticks = [10**k for k in range(2, 7)]
     left = Plot("Building", "triangles of a hilly terrain", "microseconds a triangle", (80, 4.5e6),
-                (0.03, 20), log=True, width=460, height=400)
+                (0.03, 20), log=True, width=500, height=400)
     left.ticks(ticks, (0.1, 1, 10), x_format="{:,}")
-    right = Plot("A ray after one bounce", "triangles", "nanoseconds", (80, 4.5e6), (40, 2e5),
-                 log=True, width=480, height=400)
-    right.ticks(ticks, (100, 1000, 10_000, 100_000), x_format="{:,}", y_format="{:,}")
+    right = Plot("A ray after one bounce", "triangles", "nanoseconds", (80, 4.5e6), (40, 2e4),
+                 log=True, width=500, height=400)
+    right.ticks(ticks, (100, 1000, 10_000), x_format="{:,}", y_format="{:,}")
+    trace["brute"] = [(n, t) for n, t in trace["brute"] if t < 2e4]  # soon leaves the picture
     for what in built:
         first = walks[what][0]
         if first in build:
             left.curve(build[first], "", colours[first])
         for name, dash in zip(walks[what], ("", "7 4", "2 3", "9 3 2 3")):
-            right.curve(trace[name], "", colours[name], dots=not dash, dash=dash)
+            right.curve(trace[name], "all triangles" if name == "brute" else "", colours[name],
+                        dots=not dash, dash=dash)
     left.names([(build[walks[what][0]][-1], what, colours[walks[what][0]])
                 for what in built if walks[what][0] in build])
-    right.names([(points[-1], name.replace("brute", "all triangles"), colours[name])
-                 for name, points in trace.items()])
+    right.names([(points[-1], name, colours[name])
+                 for name, points in trace.items() if name != "brute"])
     save_beside(LAB04 / "scaling.svg", [left, right])
 
 

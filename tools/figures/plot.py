@@ -2,7 +2,7 @@
 import html
 import math
 
-COLOURS = ["#c0392b", "#1f6fb2", "#2e8b57", "#b8860b", "#6b4c9a", "#177f92"]
+COLOURS = ["#c0392b", "#1f6fb2", "#2e8b57", "#b8860b", "#6b4c9a"]
 INK, GRID = "#333", "#ddd"
 
 
