@@ -5,20 +5,21 @@
 // `raylab check` shows this sentence and nothing else of the test.
 #pragma once
 
+#include "common/simt/where.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <source_location>
 #include <string>
 
 namespace raylab::task {
 
-using Place = std::source_location;
+using Place = simt::Where;
 
 // Fails the test with the sentence, unless `holds`. Returns `holds`.
-inline bool expect(bool holds, const std::string& sentence, Place place = Place::current()) {
-    if (!holds) ADD_FAILURE_AT(place.file_name(), static_cast<int>(place.line())) << sentence;
+inline bool expect(bool holds, const std::string& sentence, Place place = Place::here()) {
+    if (!holds) ADD_FAILURE_AT(place.file, place.line) << sentence;
     return holds;
 }
 
@@ -29,14 +30,14 @@ inline std::string should_be(const std::string& what, const std::string& expecte
 }
 
 inline bool expect_equal(const std::string& what, long long got, long long expected,
-                         const std::string& cause, Place place = Place::current()) {
+                         const std::string& cause, Place place = Place::here()) {
     return expect(got == expected,
                   should_be(what, std::to_string(expected), std::to_string(got), cause), place);
 }
 
 // tolerance: absolute. A NaN is never near.
 inline bool expect_near(const std::string& what, double got, double expected, double tolerance,
-                        const std::string& cause, Place place = Place::current()) {
+                        const std::string& cause, Place place = Place::here()) {
     return expect(
         std::fabs(got - expected) <= tolerance,
         should_be(what, fmt::format("{:.6g}", expected), fmt::format("{:.6g}", got), cause), place);
@@ -45,7 +46,7 @@ inline bool expect_near(const std::string& what, double got, double expected, do
 // Each of three coordinates within the tolerance.
 template <class Vector>
 bool expect_vector(const std::string& what, const Vector& got, const Vector& expected,
-                   double tolerance, const std::string& cause, Place place = Place::current()) {
+                   double tolerance, const std::string& cause, Place place = Place::here()) {
     const auto text = [](const Vector& v) {
         return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
     };
