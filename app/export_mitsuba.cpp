@@ -1,7 +1,9 @@
 #include "app/export_mitsuba.h"
 
 #include "app/export_ply.h"
-#include "app/labs.h"
+#include "app/mitsuba_materials.h"
+#include "app/mitsuba_sky.h"
+#include "app/mitsuba_xml.h"
 #include "common/geometry/make_quad.h"
 #include "common/image/formats.h"
 #include "common/math/frame.h"
@@ -15,49 +17,17 @@ namespace raylab::app {
 
 namespace {
 
+using namespace mitsuba;
+
 // Both faces of a light are this part of its size apart: far above float's resolution, far below
 // what shows in an image.
 constexpr float gap_of_size = 1e-4f;
 constexpr int plane_levels = 8; // the largest square of a plane is 4^8 times the scene
-constexpr int sky_columns = 8, sky_rows = 32; // for each texel of ours
-
-[[noreturn]] void refuse(const std::string& what) {
-    throw UsageError("cannot be written for Mitsuba: " + what);
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
-std::string rgb(const char* name, Vec3 c) {
-    return fmt::format("<rgb name=\"{}\" value=\"{} {} {}\"/>", name, c.x, c.y, c.z);
-}
-
-std::string point(const char* name, Vec3 p) {
-    return fmt::format("<point name=\"{}\" x=\"{}\" y=\"{}\" z=\"{}\"/>", name, p.x, p.y, p.z);
-}
-
-// The frame whose axes are x, y, z and whose origin is o, to the world.
-std::string to_world(Vec3 x, Vec3 y, Vec3 z, Vec3 o) {
-    return fmt::format("<transform name=\"to_world\"><matrix value=\"{} {} {} {} {} {} {} {} "
-                       "{} {} {} {} 0 0 0 1\"/></transform>",
-                       x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z);
-}
 
 class MitsubaWriter {
   public:
-    explicit MitsubaWriter(const Scene& scene) : scene_(scene), extent_(extent()) {}
+    explicit MitsubaWriter(const Scene& scene)
+        : scene_(scene), extent_(extent()), materials_(scene, files_) {}
 
     std::vector<ExportedFile> write() {
         if (scene_.render.integrator != Integrator::path)
@@ -71,7 +41,7 @@ class MitsubaWriter {
         write_planes();
         write_lights();
         std::string materials;
-        for (const int material : used_) materials += bsdf(material);
+        for (const int material : used_) materials += materials_.bsdf(material);
         text_.insert(materials_at_, materials);
         line("</scene>");
         files_.push_back({"scene.xml", text_});
@@ -133,85 +103,11 @@ class MitsubaWriter {
         materials_at_ = text_.size();
     }
 
-    std::string id(int material) const {
-        return fmt::format("{}_{}", material, escaped(scene_.material_names[material]));
-    }
-
-    // What replaces `name` in a BSDF: the material's reflectance or its texture, texels as they
-    // are.
-    std::string reflectance(const Material& material, const char* name) {
-        if (material.texture < 0) return rgb(name, material.reflectance);
-        const std::string file = fmt::format("texture_{}.pfm", material.texture);
-        if (written_textures_.insert(material.texture).second) {
-            const Texture& texture = scene_.textures[material.texture];
-            Image image{texture.width, texture.height, {}, {}, {}};
-            for (int row = texture.height - 1; row >= 0; --row) // ours have row 0 at the bottom
-                for (int column = 0; column < texture.width; ++column)
-                    image.mean.push_back(
-                        scene_.texels[texture.first + row * texture.width + column]);
-            files_.push_back({file, formats::encode_pfm(image)});
-        }
-        return fmt::format("<texture type=\"bitmap\" name=\"{}\"><string name=\"filename\" "
-                           "value=\"{}\"/><boolean name=\"raw\" value=\"true\"/></texture>",
-                           name, file);
-    }
-
-    std::string roughness(const Material& material) const {
-        return fmt::format("<float name=\"alpha\" value=\"{}\"/><string name=\"distribution\" "
-                           "value=\"{}\"/>",
-                           material.alpha,
-                           material.microfacets == Microfacets::ggx ? "ggx" : "beckmann");
-    }
-
-    std::string bsdf(int index) {
-        const Material& m = scene_.materials[index];
-        const std::string name = scene_.material_names[index];
-        const auto opaque = [&](const char* type, const std::string& content) {
-            return fmt::format(
-                "<bsdf type=\"twosided\" id=\"{}\"><bsdf type=\"{}\">{}</bsdf></bsdf>\n", id(index),
-                type, content);
-        };
-        const auto clear = [&](const char* type, const std::string& content) {
-            return fmt::format("<bsdf type=\"{}\" id=\"{}\"><float name=\"int_ior\" value=\"{}\"/>"
-                               "<float name=\"ext_ior\" value=\"1\"/>{}{}{}</bsdf>\n",
-                               type, id(index), m.ior, content,
-                               reflectance(m, "specular_reflectance"),
-                               reflectance(m, "specular_transmittance"));
-        };
-        const bool has_fresnel = m.kind == MaterialKind::glass ||
-                                 m.kind == MaterialKind::conductor ||
-                                 m.kind == MaterialKind::rough_dielectric;
-        if (has_fresnel && m.fresnel == FresnelModel::schlick)
-            refuse(fmt::format("the material '{}' uses Schlick's approximation, and Mitsuba has "
-                               "Fresnel's equations only",
-                               name));
-        switch (m.kind) {
-        case MaterialKind::diffuse:
-            return opaque("diffuse", reflectance(m, "reflectance"));
-        case MaterialKind::mirror:
-            return opaque("conductor", "<string name=\"material\" value=\"none\"/>" +
-                                           reflectance(m, "specular_reflectance"));
-        case MaterialKind::glass:
-            return clear("dielectric", "");
-        case MaterialKind::phong:
-            refuse(
-                fmt::format("the material '{}' is Phong's, which Mitsuba 3 does not have", name));
-        case MaterialKind::conductor:
-            return opaque(m.is_smooth() ? "conductor" : "roughconductor",
-                          (m.is_smooth() ? "" : roughness(m)) + rgb("eta", m.eta) + rgb("k", m.k) +
-                              reflectance(m, "specular_reflectance"));
-        case MaterialKind::rough_dielectric:
-            return m.is_smooth() || m.ior == 1 ? clear("dielectric", "")
-                                               : clear("roughdielectric", roughness(m));
-        }
-        return {};
-    }
-
     // A shape of one material; `content` tells the rest.
     void write_shape(const char* type, int material, const std::string& content) {
         used_.insert(material);
         const Vec3 emission = scene_.materials[material].emission;
-        line("<shape type=\"{}\">{}<ref id=\"{}\"/>{}</shape>", type, content, id(material),
+        line("<shape type=\"{}\">{}<ref id=\"{}\"/>{}</shape>", type, content, id(scene_, material),
              is_black(emission)
                  ? ""
                  : "<emitter type=\"area\">" + rgb("radiance", emission) + "</emitter>");
@@ -315,27 +211,10 @@ class MitsubaWriter {
                  rgb("radiance", scene_.environment_radiance));
             return;
         }
-        files_.push_back({"sky.exr", formats::encode_exr(fine_sky())});
+        files_.push_back({"sky.exr", formats::encode_exr(fine_sky(scene_))});
         // Mitsuba's u is 0 at -z and grows towards x; ours is 0 at x and grows towards z.
         line("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.exr\"/>{}</emitter>",
              to_world(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0)));
-    }
-
-    // The sky for a renderer that interpolates linearly between samples at (column + 1/2) / width
-    // and row / (height - 1). Edges between our texels lie half way between two columns, and on
-    // rows, which take the mean of both sides: so each ramp keeps the integral of the step.
-    Image fine_sky() const {
-        const int w = scene_.environment_width, h = scene_.environment_height;
-        Image image{sky_columns * w, sky_rows * h + 1, {}, {}, {}};
-        for (int y = 0; y < image.height; ++y) {
-            const int below = std::min(y / sky_rows, h - 1);
-            const int above = y % sky_rows == 0 ? std::max(y / sky_rows - 1, 0) : below;
-            for (int x = 0; x < image.width; ++x)
-                image.mean.push_back(scene_.environment_radiance * 0.5f *
-                                     (scene_.environment_map[above * w + x / sky_columns] +
-                                      scene_.environment_map[below * w + x / sky_columns]));
-        }
-        return image;
     }
 
     const Scene& scene_;
@@ -343,7 +222,8 @@ class MitsubaWriter {
     std::string text_;
     std::size_t materials_at_ = 0;
     std::vector<ExportedFile> files_;
-    std::set<int> used_, written_textures_;
+    Materials materials_;
+    std::set<int> used_;
     int meshes_ = 0;
 };
 

@@ -1,36 +1,22 @@
 // The program as a test meets it: run in a shell, in a folder of its own.
 #pragma once
 
+#include "app/tests/shell.h"
+
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/wait.h>
 
 namespace raylab::app {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string text; // standard output and standard error
-};
-
 // Runs `raylab ARGUMENTS` in a shell.
 inline Outcome raylab(const std::string& arguments) {
-    const std::string command = std::string(RAYLAB_PROGRAM) + " " + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome{-1, ""};
-    std::array<char, 4096> buffer;
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-        outcome.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
+    return run_in_shell(std::string(RAYLAB_PROGRAM) + " " + arguments);
 }
 
 class Cli : public testing::Test {

@@ -1,40 +1,27 @@
 // `raylab check` and `raylab release` as a person meets them.
+#include "app/tests/shell.h"
+
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
+namespace raylab {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string text; // standard output and standard error
-};
-
-Outcome run(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    Outcome outcome{-1, ""};
-    std::array<char, 4096> buffer;
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-        outcome.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-}
+using app::Outcome;
+using app::run_in_shell;
 
 Outcome raylab(const std::string& arguments) {
-    return run(std::string(RAYLAB_CHECK_PROGRAM) + " " + arguments);
+    return run_in_shell(std::string(RAYLAB_CHECK_PROGRAM) + " " + arguments);
 }
 
 void expect(const std::string& arguments, int code, const std::vector<std::string>& words) {
@@ -56,13 +43,13 @@ TEST(Check, WrongUsageIsRefused) {
 }
 
 TEST(Help, OfTheScriptHasALineForEveryCommand) {
-    const Outcome help = run("./raylab --help");
+    const Outcome help = run_in_shell("./raylab --help");
     EXPECT_EQ(help.code, 0);
     for (const std::string command :
          {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
           "bench-rays", "rare-cases", "prove", "release"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
-    EXPECT_EQ(run("./raylab").code, 2);
+    EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
 
 TEST(Check, TheSolutionsPass) {
@@ -89,3 +76,4 @@ TEST(Release, OneTreeALab) {
 }
 
 } // namespace
+} // namespace raylab

@@ -1,0 +1,30 @@
+// Materials as Mitsuba's BSDFs.
+#pragma once
+
+#include "app/export_mitsuba.h"
+
+#include <set>
+
+namespace raylab::app::mitsuba {
+
+// What other elements call the material.
+std::string id(const Scene& scene, int material);
+
+class Materials {
+  public:
+    // Textures are added to the files.
+    Materials(const Scene& scene, std::vector<ExportedFile>& files)
+        : scene_(scene), files_(files) {}
+
+    // The element that defines the material. Throws UsageError: Mitsuba has no such material.
+    std::string bsdf(int material);
+
+  private:
+    std::string reflectance(const Material& material, const char* name);
+
+    const Scene& scene_;
+    std::vector<ExportedFile>& files_;
+    std::set<int> written_textures_;
+};
+
+} // namespace raylab::app::mitsuba
