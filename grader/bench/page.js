@@ -140,6 +140,7 @@ function plotRareCases(figure) {
     add(svg, "text", { class: "title", x: left, y: 14 }, timed ? "time of a sample" : "blocks a sample");
     add(svg, "text", { class: "name c0", x: right - 60, y: 14, "text-anchor": "end" }, "without compaction");
     add(svg, "text", { class: "name c1", x: right, y: 14, "text-anchor": "end" }, "with it");
+    add(svg, "line", { class: "target", x1: x(1), x2: x(1), y1: top - 8, y2: bottom });
     all.forEach((row, k) => {
         const y = top + k * step;
         add(svg, "text", { class: "value", x: left - 10, y: y + bar + 4, "text-anchor": "end" }, row.case);
@@ -148,11 +149,10 @@ function plotRareCases(figure) {
             const figures = timed ? `${short(1e3 * costs.seconds)} ms` : `${short(costs.blocks)} blocks`;
             add(add(svg, "rect", { class: `fill c${j}`, x: left, y: y + j * (bar + 1), width: Math.max(1, end - left), height: bar, rx: 2 }),
                 "title", {}, `${row.case}, ${j ? "with" : "without"} compaction: ${figures}`);
-            add(svg, "text", { x: end + 6, y: y + j * (bar + 1) + 11 }, ratio.toFixed(2));
+            add(svg, "text", { class: "over", x: end + 6, y: y + j * (bar + 1) + 11 }, ratio.toFixed(2));
         });
     });
     add(svg, "line", { class: "axis", x1: left, x2: left, y1: top - 8, y2: bottom });
-    add(svg, "line", { class: "target", x1: x(1), x2: x(1), y1: top - 8, y2: bottom });
     add(svg, "text", { x: x(1), y: bottom + 16, "text-anchor": "middle" }, of_megakernel ? "1 = megakernel" : "1 = without compaction");
 }
 

@@ -53,10 +53,11 @@ std::string to_csv(const std::vector<RareCaseRow>& rows) {
                                row.width, row.height, c == &row.with ? "yes" : "no",
                                csv_number(c->seconds),
                                row.megakernel ? csv_number(*row.megakernel) : "");
-            csv += fmt::format("{},{},{},{},{},{},{}\r\n", csv_number(c->iterations),
-                               csv_number(c->rays / c->iterations), csv_number(c->blocks),
-                               csv_number(c->batches), csv_number(c->launches),
-                               csv_number(c->removing), csv_number(c->between));
+            csv +=
+                fmt::format("{},{},{},{},{},{},{}\r\n", csv_number(c->iterations),
+                            csv_number(c->rays / c->iterations), csv_number(c->blocks),
+                            c->batches > 0 ? csv_number(c->batches) : "", csv_number(c->launches),
+                            csv_number(c->removing), csv_number(c->between));
         }
     return csv;
 }
@@ -74,11 +75,12 @@ std::string to_table(const RareCaseRow& row) {
         return row.megakernel ? fmt::format("{:.2f}", seconds / *row.megakernel) : "-";
     };
     const auto line = [&](const char* name, const WavefrontCosts& c) {
-        return fmt::format("  {:20} {:9.3f} {:>7} {:6.0f} {:9.0f} {:8.0f} {:8.0f} {:8.0f} "
+        return fmt::format("  {:20} {:9.3f} {:>7} {:6.0f} {:9.0f} {:8.0f} {:>8} {:8.0f} "
                            "{:7.1f} % {:7.1f} %\n",
                            name, 1e3 * c.seconds, ratio(c.seconds), c.iterations,
-                           c.rays / c.iterations, c.blocks, c.batches, c.launches, 100 * c.removing,
-                           100 * c.between);
+                           c.rays / c.iterations, c.blocks,
+                           c.batches > 0 ? fmt::format("{:.0f}", c.batches) : "-", c.launches,
+                           100 * c.removing, 100 * c.between);
     };
     std::string text =
         fmt::format("{}: {}, {} x {}. {}\n", row.name, row.scene, row.width, row.height, row.why);

@@ -14,7 +14,8 @@ namespace raylab::bench {
 // What a wavefront did, a sample of the whole image.
 struct WavefrontCosts {
     double seconds = 0; // median of the rounds
-    double iterations = 0, launches = 0, rays = 0, blocks = 0, batches = 0;
+    double iterations = 0, launches = 0, rays = 0, blocks = 0;
+    double batches = 0;  // 0 where a launch traces several bounces at once: nobody counts them
     double removing = 0; // share of the time in compaction and sorting
     double between = 0;  // share of the time in no stage: launching, copying, waiting
 };

@@ -25,7 +25,7 @@ std::string time_cells(double seconds, const json& megakernel) {
 std::string wavefront_html(const char* name, std::size_t colour, const json& costs,
                            const json& megakernel) {
     const auto figure = [&](const char* key) { return costs.at(key).get<double>(); };
-    const auto whole = [](double v) { return cell(fmt::format("{:.0f}", v)); };
+    const auto whole = [](double v) { return cell(v > 0 ? fmt::format("{:.0f}", v) : unknown); };
     return fmt::format("<tr><td><span class=\"key c{}\"></span>{}</td>", colour, name) +
            time_cells(figure("seconds"), megakernel) + whole(figure("iterations")) +
            whole(figure("rays") / figure("iterations")) + whole(figure("blocks")) +

@@ -1,9 +1,12 @@
 // The rare cases as they are written: the page's section, the CSV, and a tree without a megakernel.
 #include "grader/bench/bench.h"
 #include "grader/bench/page.h"
+#include "grader/bench/tests/browser.h"
 #include "grader/bench/tests/csv.h"
 
 #include <gmock/gmock.h>
+
+#include <filesystem>
 
 namespace raylab::bench {
 namespace {
@@ -55,6 +58,22 @@ TEST(RareCases, EscapeTheirNames) {
     EXPECT_THAT(page, Not(HasSubstr("<i>at once")));
 }
 
+// In a real browser, if there is one: the plots' script runs to its end under the page's policy.
+TEST(RareCases, AreDrawnInABrowser) {
+    const std::string folder = testing::TempDir() + "raylab-rare-cases-page";
+    for (const bool with_megakernel : {true, false}) {
+        std::filesystem::create_directories(folder);
+        write_bench(bench_of({row(with_megakernel ? std::optional(0.002) : std::nullopt)}), folder);
+        const std::string page = page_in_browser(folder + "/bench.html", folder);
+        std::filesystem::remove_all(folder);
+        if (page.empty()) GTEST_SKIP() << "no Chromium, or it does not start";
+        EXPECT_THAT(page, HasSubstr("data-ready=\"true\"")) << "the script did not run to its end";
+        EXPECT_THAT(page, HasSubstr("small\" image, with compaction: 24 blocks"));
+        EXPECT_THAT(page, HasSubstr(with_megakernel ? ">1.50</text>" : ">0.75</text>"))
+            << "3 ms over the megakernel's 2, or over the 4 without compaction";
+    }
+}
+
 TEST(RareCases, HaveTwoLinesEachInTheCsv) {
     const auto lines = parse_csv(to_csv(std::vector{row(0.002), row({})}));
     ASSERT_EQ(lines.size(), 5u);
@@ -69,6 +88,7 @@ TEST(RareCases, HaveTwoLinesEachInTheCsv) {
     EXPECT_EQ(lines[2][column("blocks")], "24");
     EXPECT_EQ(lines[2][column("live_rays")], "250");
     EXPECT_EQ(lines[2][column("megakernel_seconds")], "0.002");
+    EXPECT_EQ(lines[2][column("batches")], "") << "not counted";
     EXPECT_EQ(lines[3][column("megakernel_seconds")], "") << "a tree without lab 02";
 }
 

@@ -1,7 +1,7 @@
 // rays.csv, rays.json and rays.html of a bench in which everything happens.
-#include "common/cli/process.h"
 #include "grader/bench/rays/rays_bench.h"
 #include "grader/bench/rays/tests/fake_contestant.h"
+#include "grader/bench/tests/browser.h"
 #include "grader/bench/tests/csv.h"
 
 #include <gmock/gmock.h>
@@ -95,22 +95,12 @@ TEST(RaysPage, EscapesWhatItShowsAndReachesForNothing) {
 
 // In a real browser, if there is one: the plots' script runs to its end under the page's policy.
 TEST(RaysPage, DrawsItsPlotsInABrowser) {
-    const auto output_of = [](const std::string& command) {
-        return run_process({"sh", "-c", command}, {60}).output;
-    };
-    std::string browser = output_of("command -v chromium || command -v chromium-browser || "
-                                    "command -v google-chrome");
-    if (browser.empty()) GTEST_SKIP() << "no Chromium is installed";
-    browser.resize(browser.find('\n'));
     const std::string folder = testing::TempDir() + "raylab-rays-page";
     std::filesystem::create_directories(folder);
     write_rays_bench(everything(), folder);
-    const std::string page =
-        output_of("'" + browser + "' --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
-                  folder + "/profile' --virtual-time-budget=5000 --dump-dom 'file://" + folder +
-                  "/rays.html' 2>/dev/null");
+    const std::string page = page_in_browser(folder + "/rays.html", folder);
     std::filesystem::remove_all(folder);
-    if (page.empty()) GTEST_SKIP() << "Chromium does not start here";
+    if (page.empty()) GTEST_SKIP() << "no Chromium, or it does not start";
     EXPECT_THAT(page, HasSubstr("data-ready=\"true\"")) << "the script did not run to its end";
     EXPECT_THAT(page, HasSubstr("microseconds to build a triangle against triangles"));
     EXPECT_THAT(page, HasSubstr("the &lt;right&gt;, fake, primary: 10 Mrays/s"));
