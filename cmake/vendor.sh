@@ -31,6 +31,7 @@ HELP
         *) fail 2 "'$1' is not an option; see ./raylab vendor --help" ;;
     esac
 done
+case $output in /*) ;; *) output=$PWD/$output ;; esac
 if [ -e "$output" ] && [ ! -f "$output/packages.txt" ]; then
     fail 2 "$output is there, and was not written by vendor: remove it, or choose another folder with -o"
 fi
