@@ -76,7 +76,7 @@ __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std:
     kept[i] = 1;
     if (!is_large(node.first, node.split)) starts[node.first] = 1;
     if (!is_large(node.split + 1, node.last)) starts[node.split + 1] = 1;
-    //| // Four in a row are a leaf, and as many nodes as it takes are kept.
+    //| // Eight in a row are a leaf, and as many nodes as it takes are kept.
     //| not_implemented("4.5", "cut_kernel()");
     //| const int leaves = (codes.size + triangles_per_block - 1) / triangles_per_block;
     //| kept[i] = i < leaves - 1;
@@ -115,32 +115,32 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
     if (i == 0) nodes[0].parent = -1;
 }
 
-// A leaf is a range of at most four triangles. starts[i]: one begins at i, numbers[i]: which one.
+// A leaf is a range of at most eight triangles. starts[i]: one begins at i, numbers[i]: which one.
 __global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
                               const int* indices, const std::uint32_t* starts,
                               const std::uint32_t* numbers, TriangleBlock* blocks) {
     const std::int64_t i = global_index();
     if (i >= triangles.size || !starts[i]) return;
-    TriangleBlock four{};
+    TriangleBlock block{};
     bool inside = true;
     for (int lane = 0; lane < triangles_per_block; ++lane) {
         const std::int64_t at = i + lane;
         inside = inside && at < triangles.size && (lane == 0 || !starts[at]);
         const bool filled = inside && codes[at] != no_code;
-        four.index[lane] = filled ? indices[at] : -1;
+        block.index[lane] = filled ? indices[at] : -1;
         for (int corner = 0; filled && corner < 3; ++corner)
             for (int axis = 0; axis < 3; ++axis)
-                four.v[corner][axis][lane] = triangles[indices[at]].v[corner][axis];
+                block.v[corner][axis][lane] = triangles[indices[at]].v[corner][axis];
     }
-    blocks[numbers[i]] = four;
+    blocks[numbers[i]] = block;
 }
 
-__device__ Bounds bounds_of(const TriangleBlock& four) {
+__device__ Bounds bounds_of(const TriangleBlock& block) {
     Bounds box;
     for (int lane = 0; lane < triangles_per_block; ++lane)
-        for (int corner = 0; four.index[lane] >= 0 && corner < 3; ++corner)
+        for (int corner = 0; block.index[lane] >= 0 && corner < 3; ++corner)
             box.include(
-                {four.v[corner][0][lane], four.v[corner][1][lane], four.v[corner][2][lane]});
+                {block.v[corner][0][lane], block.v[corner][1][lane], block.v[corner][2][lane]});
     return box;
 }
 

@@ -53,12 +53,12 @@ TEST(ChooseAccel, WhatDoesNotExistIsRefusedWithTheWalksThatDo) {
     }
 }
 
-// Two groups of four triangles, so two leaves under one node: around the origin, and far to the
+// Two groups of eight triangles, so two leaves under one node: around the origin, and far to the
 // right. Each pixel's ray goes down -z, past x = `at`.
 Scene two_groups(float at, int max_depth = 1) {
     std::string shapes;
     for (const int group : {0, 100})
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 8; ++i)
             shapes +=
                 fmt::format(R"({}{{"kind": "triangle", "material": "grey", "vertices":
                                        [[{}, -9, {}], [{}, -9, {}], [{}, 9, {}]]}})",
@@ -119,13 +119,13 @@ TEST(WalkLedger, DescribesTheStructure) {
     const StructureFacts& facts = ledger.structure.value();
     EXPECT_EQ(facts.name, "sah");
     EXPECT_EQ(facts.walk, "stack");
-    EXPECT_EQ(facts.triangles, 8);
+    EXPECT_EQ(facts.triangles, 16);
     EXPECT_EQ(facts.nodes, 1);
     EXPECT_EQ(facts.triangle_blocks, 2);
     EXPECT_EQ(facts.bytes, sizeof(BvhNode) + 2 * sizeof(TriangleBlock));
     EXPECT_GT(facts.build_seconds, 0);
     EXPECT_THAT(to_json(ledger), HasSubstr("\"nodes_per_ray\": 1.0"));
-    EXPECT_THAT(to_table(ledger), HasSubstr("8 triangles: sah, asked for"));
+    EXPECT_THAT(to_table(ledger), HasSubstr("16 triangles: sah, asked for"));
 }
 
 TEST(WalkLedger, HasNoStructureWithoutTriangles) {

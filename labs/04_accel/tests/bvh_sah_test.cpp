@@ -89,7 +89,7 @@ TEST(Task4_9, TheCostIsThatOfWhatTheCutMakes) {
                                              n, made.n[0], made.n[1]);
         expect_near(what + "cost", split.cost, made.cost(), 1e-5 * made.cost(),
                     "cost = area(L) blocks(L) + area(R) blocks(R), of the boxes around what goes "
-                    "left and right, a block for each four or part of it");
+                    "left and right, a block for each eight or part of it");
         expect_near(what + "overlap", split.overlap, made.overlap(), 1e-5 * made.cost(),
                     "overlap is the area of the box that both halves cover, 0 if there is none");
     }

@@ -1,4 +1,4 @@
-// The first glance at four triangles never contradicts the exact test: it drops nothing that is
+// The first glance at eight triangles never contradicts the exact test: it drops nothing that is
 // hit, is sure of nothing that is missed, and knows within which t.
 #include "common/geometry/tests/support.h"
 #include "common/geometry/triangle.h"
@@ -73,16 +73,16 @@ Verdict judge(int rays, auto... errors) {
     Dice dice(21);
     Verdict verdict;
     for (int i = 0; i < rays; ++i) {
-        // Four of about the same place, so that each ray grazes one and passes by three.
+        // All of about the same place, so that each ray grazes one and passes by the others.
         std::vector<Triangle> triangles;
         for (int k = 0; k < triangles_per_block; ++k) triangles.push_back(any_triangle(dice));
-        Ray ray = ray_at(triangles[dice.below(4)], dice);
+        Ray ray = ray_at(triangles[dice.below(triangles_per_block)], dice);
         const float scale = power(dice, -30, 30);
         for (Triangle& triangle : triangles)
             for (Vec3& v : triangle.v) v *= scale;
         ray.o *= scale;
         std::vector<TriangleBlock> blocks;
-        append_blocks(triangles, std::vector<int>{0, 1, 2, 3}, blocks);
+        append_blocks(triangles, std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}, blocks);
         const TriangleGlance seen =
             glance(blocks[0], GlanceRay(ray, SlabRay(ray).inv_d), infinity, errors...);
         for (int k = 0; k < triangles_per_block; ++k) {

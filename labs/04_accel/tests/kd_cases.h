@@ -27,7 +27,7 @@ template <class Query> void walk(KdWalk kind, const KdView& tree, Query& query) 
 // Cuts cost next to nothing, so cells are cut as long as it is allowed: for tests that want many
 // planes.
 inline KdBuildSettings deep() {
-    return {.costs = {.step = 0.1, .empty_factor = 0.9}, .copies = 20};
+    return {.costs = {.step = 0.05, .empty_factor = 0.9}, .copies = 20};
 }
 
 // Triangles and a tree over them.

@@ -137,12 +137,12 @@ TEST(Task4_5, EveryLeafHangsInTheTreeOnce) {
     EXPECT_LE(tree.depth, max_bvh_depth);
 }
 
-Bounds box_of(const TriangleBlock& four) {
+Bounds box_of(const TriangleBlock& block) {
     Bounds box;
     for (int lane = 0; lane < triangles_per_block; ++lane)
-        for (int corner = 0; four.index[lane] >= 0 && corner < 3; ++corner)
+        for (int corner = 0; block.index[lane] >= 0 && corner < 3; ++corner)
             box.include(
-                {four.v[corner][0][lane], four.v[corner][1][lane], four.v[corner][2][lane]});
+                {block.v[corner][0][lane], block.v[corner][1][lane], block.v[corner][2][lane]});
     return box;
 }
 
@@ -180,7 +180,7 @@ TEST(Lbvh, RaysFindWhatBruteForceFinds) {
                                           {"city", city(8)},
                                           {"same", same},
                                           {"five", soup(5, 1)},
-                                          {"four", soup(4, 1)},
+                                          {"eight", soup(8, 1)},
                                           {"one", soup(1, 2)}}) {
         const BvhTree tree = build(triangles);
         const Leaves leaves{{tree.blocks.data(), int(tree.blocks.size())},
@@ -205,8 +205,8 @@ TEST(Lbvh, TrianglesThatAreNoneAreLeftOut) {
     add(triangles, {0, infinity, 0}, {1, 0, 0}, {0, 1, 0});
     const BvhTree with = build(triangles);
     std::set<int> indices;
-    for (const TriangleBlock& four : with.blocks)
-        for (const int index : four.index)
+    for (const TriangleBlock& block : with.blocks)
+        for (const int index : block.index)
             if (index >= 0) indices.insert(index);
     EXPECT_EQ(indices.size(), 100u);
     EXPECT_EQ(*indices.rbegin(), 99);
