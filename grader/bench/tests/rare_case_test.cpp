@@ -1,8 +1,8 @@
 // The rare cases as they are written: the page's section, the CSV, and a tree without a megakernel.
 #include "grader/bench/bench.h"
 #include "grader/bench/page.h"
-#include "grader/bench/tests/browser.h"
 #include "grader/bench/tests/csv.h"
+#include "grader/report/tests/browser.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // rays.csv, rays.json and rays.html of a bench in which everything happens.
 #include "grader/bench/rays/rays_bench.h"
 #include "grader/bench/rays/tests/fake_contestant.h"
-#include "grader/bench/tests/browser.h"
 #include "grader/bench/tests/csv.h"
+#include "grader/report/tests/browser.h"
 
 #include <gmock/gmock.h>
 

@@ -3,13 +3,12 @@
 
 #include "common/cli/process.h"
 
-#include <filesystem>
 #include <string>
 
-namespace raylab::bench {
+namespace raylab {
 
 // What headless Chromium makes of a page, its script run to the end; nothing where there is none.
-// `folder`: the browser's own, for its profile.
+// `page`: a file, and if need be its #fragment. `folder`: the browser's own, for its profile.
 inline std::string page_in_browser(const std::string& page, const std::string& folder) {
     const auto output_of = [](const std::string& command) {
         return run_process({"sh", "-c", command}, {60}).output;
@@ -23,4 +22,4 @@ inline std::string page_in_browser(const std::string& page, const std::string& f
         "/profile' --virtual-time-budget=5000 --dump-dom 'file://" + page + "' 2>/dev/null");
 }
 
-} // namespace raylab::bench
+} // namespace raylab
