@@ -15,7 +15,12 @@ namespace raylab::lab04 {
 
 // After the first walk that has no end the rest of the iteration counts for nothing.
 __device__ inline bool given_up(const Wave& wave) {
-    return static_cast<const volatile EndlessRay*>(wave.walked.endless)->found != 0;
+    const int* found = &wave.walked.endless->found; // another thread may be about to write it
+#if defined(__CUDACC__)
+    return *static_cast<const volatile int*>(found) != 0;
+#else
+    return __atomic_load_n(found, __ATOMIC_ACQUIRE) != 0;
+#endif
 }
 
 // i: the ray's place in the list.
