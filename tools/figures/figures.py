@@ -241,7 +241,7 @@ def scaling(raylab):
                   "sah_skip", "sah_parent", "sah_trail", "wide_stack", "wide_trail", "brute"]
     run_quietly(raylab.program, "bench-rays", "--scaling", "terrain", "--triangles", "100..4000000",
                 "--structures", *structures, "--rays", "diffuse1", "--size", "128x128",
-                "--builds", "1", "-o", folder)
+                "--builds", "3", "-o", folder)
     with open(folder / "rays.csv", newline="", encoding="utf-8") as table:
         rows = [row for row in csv.DictReader(table) if row["mrays_per_second"]]
     build, trace = {}, {}  # name: (triangles, figure) pairs
@@ -258,12 +258,12 @@ def scaling(raylab):
     walks = {what: [name for name in trace if name.split("_")[0] == what] for what in built}
     ticks = [10**k for k in range(2, 7)]
     left = Plot("Building", "triangles of a hilly terrain", "microseconds a triangle", (80, 4.5e6),
-                (0.03, 20), log=True, width=500, height=400)
-    left.ticks(ticks, (0.1, 1, 10), x_format="{:,}")
-    right = Plot("A ray after one bounce", "triangles", "nanoseconds", (80, 4.5e6), (40, 2e4),
+                (0.06, 1.2), log=True, width=500, height=400)
+    left.ticks(ticks, (0.1, 0.2, 0.5, 1), x_format="{:,}")
+    right = Plot("A ray after one bounce", "triangles", "nanoseconds", (80, 4.5e6), (40, 1e4),
                  log=True, width=500, height=400)
     right.ticks(ticks, (100, 1000, 10_000), x_format="{:,}", y_format="{:,}")
-    trace["brute"] = [(n, t) for n, t in trace["brute"] if t < 2e4]  # soon leaves the picture
+    trace["brute"] = [(n, t) for n, t in trace["brute"] if t < 1e4]  # soon leaves the picture
     for what in built:
         first = walks[what][0]
         if first in build:
