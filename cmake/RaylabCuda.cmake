@@ -34,7 +34,7 @@ target_compile_options(raylab_flags INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:-std=c+
 set(CMAKE_CUDA_FLAGS_RELEASE "-O3 -lineinfo")
 # #20012: GLM marks its defaulted constructors __device__, which nvcc remarks on at every include.
 target_compile_options(raylab_flags INTERFACE
-    "$<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr;-diag-suppress=20012;-Xcompiler=-Wall,-Wextra,-ffp-contract=off>")
+    "$<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr;-diag-suppress=20012;-Xcompiler=-Wall,-Wextra,-ffp-contract=off,-fno-tree-slp-vectorize>")
 target_compile_definitions(raylab_flags INTERFACE RAYLAB_CUDA=1)
 
 option(RAYLAB_CUDA_EXACT "Kernels aim at the CPU's bits: no fused multiply-add" OFF)

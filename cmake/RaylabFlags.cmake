@@ -50,6 +50,11 @@ else()
 endif()
 target_compile_options(raylab_flags INTERFACE
     "$<$<COMPILE_LANGUAGE:CXX>:${warnings};-fno-math-errno;-fno-trapping-math;${numerics}>")
+# g++ 12 forgets to round where two doubles become floats and doubles again side by side, as in
+# DVec3(Vec3(p)): its vectoriser of straight-line code joins them, and a later pass takes the pair of
+# conversions for none. That vectoriser stays off; the one of loops does not do it.
+target_compile_options(raylab_flags INTERFACE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-tree-slp-vectorize>)
 # g++ 12 sees overlapping copies in "text" + std::string() where there are none (GCC bug 105651).
 target_compile_options(raylab_flags INTERFACE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>)
