@@ -127,6 +127,8 @@ class MitsubaWriter {
     // Quads and triangles: one mesh for each material, or two, since flat faces have no normals.
     void write_polygons() {
         std::map<int, PlyMesh> flat, smooth;
+        if (!scene_.corner_colours.empty())
+            refuse("a mesh has vertex colours, which the export does not write");
         for (const Quad& quad : scene_.quads) flat[quad.tags.material].add(quad);
         for (const Triangle& triangle : scene_.triangles) {
             const int material = triangle.tags.material;

@@ -14,6 +14,13 @@ std::string roughness(const Material& material) {
                        material.microfacets == Microfacets::ggx ? "ggx" : "beckmann");
 }
 
+// Nothing for the default.
+std::string wrap_mode(Wrap wrap) {
+    if (wrap == Wrap::repeat) return "";
+    return fmt::format("<string name=\"wrap_mode\" value=\"{}\"/>",
+                       wrap == Wrap::clamp ? "clamp" : "mirror");
+}
+
 } // namespace
 
 std::string id(const Scene& scene, int material) {
@@ -27,6 +34,9 @@ std::string Materials::reflectance(const Material& material, const char* name) {
     const std::string file = fmt::format("texture_{}.pfm", material.texture);
     if (written_textures_.insert(material.texture).second) {
         const Texture& texture = scene_.textures[material.texture];
+        if (texture.wrap_u != texture.wrap_v)
+            refuse("a texture repeats, ends or is mirrored otherwise along u than along v, and "
+                   "Mitsuba has one rule for both");
         Image image{texture.width, texture.height, {}, {}, {}};
         for (int row = texture.height - 1; row >= 0; --row) // ours have row 0 at the bottom
             for (int column = 0; column < texture.width; ++column)
@@ -34,8 +44,8 @@ std::string Materials::reflectance(const Material& material, const char* name) {
         files_.push_back({file, formats::encode_pfm(image)});
     }
     return fmt::format("<texture type=\"bitmap\" name=\"{}\"><string name=\"filename\" "
-                       "value=\"{}\"/><boolean name=\"raw\" value=\"true\"/></texture>",
-                       name, file);
+                       "value=\"{}\"/><boolean name=\"raw\" value=\"true\"/>{}</texture>",
+                       name, file, wrap_mode(scene_.textures[material.texture].wrap_u));
 }
 
 std::string Materials::bsdf(int index) {

@@ -11,10 +11,10 @@ class DeviceScene {
     explicit DeviceScene(const Scene& scene)
         : spheres_(scene.spheres), quads_(scene.quads), quad_groups_(scene.quad_groups),
           planes_(scene.planes), triangles_(scene.triangles), runs_(scene.runs),
-          corners_(scene.corners), materials_(scene.materials), lights_(scene.lights),
-          textures_(scene.textures), texels_(scene.texels), map_(scene.environment_map),
-          row_cdf_(scene.environment_row_cdf), column_cdf_(scene.environment_column_cdf),
-          view_(raylab::view(scene)) {
+          corners_(scene.corners), corner_colours_(scene.corner_colours),
+          materials_(scene.materials), lights_(scene.lights), textures_(scene.textures),
+          texels_(scene.texels), map_(scene.environment_map), row_cdf_(scene.environment_row_cdf),
+          column_cdf_(scene.environment_column_cdf), view_(raylab::view(scene)) {
         point_to(view_.spheres, spheres_);
         point_to(view_.quads, quads_);
         point_to(view_.quad_groups, quad_groups_);
@@ -22,6 +22,7 @@ class DeviceScene {
         point_to(view_.triangles, triangles_);
         point_to(view_.runs, runs_);
         point_to(view_.corners, corners_);
+        point_to(view_.corner_colours, corner_colours_);
         point_to(view_.materials, materials_);
         point_to(view_.lights, lights_);
         point_to(view_.textures, textures_);
@@ -45,6 +46,7 @@ class DeviceScene {
     DeviceArray<Triangle> triangles_;
     DeviceArray<TriangleRun> runs_;
     DeviceArray<TriangleCorners> corners_;
+    DeviceArray<CornerColours> corner_colours_;
     DeviceArray<Material> materials_;
     DeviceArray<Light> lights_;
     DeviceArray<Texture> textures_;

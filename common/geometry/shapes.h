@@ -57,8 +57,14 @@ struct Triangle {
 
 // Shading data at a triangle's three corners, apart from what the intersection loop reads.
 struct TriangleCorners {
-    Vec3 normal[3]; // unit shading normals
-    Vec2 uv[3];     // texture coordinates, v up
+    Vec3 normal[3];   // unit shading normals
+    Vec2 uv[3];       // texture coordinates, v up
+    int colours = -1; // index into SceneView::corner_colours, or -1: none
+};
+
+// What a triangle's corners multiply the reflectance by, where its mesh has vertex colours.
+struct CornerColours {
+    Vec3 factor[3]; // linear RGB, at least 0
 };
 
 // Up to 16 triangles that lie together in the array, with the box around them: labs 01 to 03 skip a

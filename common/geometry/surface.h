@@ -19,8 +19,9 @@ struct SurfacePoint {
     Vec3 ng;       // unit geometric normal: outward from a sphere, else as the shape's own
     Frame shading; // z: unit shading normal, on the same side as ng
     Vec2 uv;       // texture coordinates, v up; (0, 0) where the shape has none or F no texture
-    int material;  // index into SceneView::materials
-    int light;     // index into SceneView::lights, or -1
+    Vec3 colour = Vec3(1); // the mesh's vertex colours, a factor on the reflectance
+    int material;          // index into SceneView::materials
+    int light;             // index into SceneView::lights, or -1
 };
 
 // p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
@@ -78,6 +79,12 @@ HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle,
             const TriangleCorners& at = scene.corners[triangle.corners];
             const Vec3 b = barycentrics(triangle, p);
             s.uv = b.x * at.uv[0] + b.y * at.uv[1] + b.z * at.uv[2];
+            if constexpr (F & feature::vertex_colours) {
+                if (at.colours >= 0) {
+                    const CornerColours& c = scene.corner_colours[at.colours];
+                    s.colour = b.x * c.factor[0] + b.y * c.factor[1] + b.z * c.factor[2];
+                }
+            }
             const Vec3 n = b.x * at.normal[0] + b.y * at.normal[1] + b.z * at.normal[2];
             if (dot(n, s.ng) != 0) normal = normalize(copysignf(1.0f, dot(n, s.ng)) * n);
         }

@@ -1,22 +1,35 @@
 // What colour a surface has at a place: constant, or looked up in an image.
 #pragma once
 
-#include "common/scene/features.h"
-#include "common/scene/view.h"
+#include "common/geometry/surface.h"
 
 namespace raylab {
 
-// The texture at uv, which repeats outside [0, 1)^2: bilinear between texel centres, which lie at
+// Where in [0, 1] the image has what lies at u.
+HD float wrapped(Wrap wrap, float u) {
+    if (wrap == Wrap::repeat) return u - floorf(u);
+    if (wrap == Wrap::clamp) return clamp(u, 0, 1);
+    const float there_and_back = u - 2 * floorf(u / 2);
+    return there_and_back <= 1 ? there_and_back : 2 - there_and_back;
+}
+
+// The texel that lies at i, which is in [-1, size]: one wrap is enough. An image's mirror image
+// begins with the same texel.
+HD int wrapped(Wrap wrap, int i, int size) {
+    if (wrap == Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
+    return i < 0 ? 0 : i >= size ? size - 1 : i;
+}
+
+// The texture at uv: bilinear between texel centres, which lie at
 // ((column + 1/2) / width, (row + 1/2) / height), row 0 at v = 0.
 HD Vec3 lookup(const SceneView& scene, const Texture& texture, Vec2 uv) {
-    const float x = (uv.x - floorf(uv.x)) * texture.width - 0.5f;
-    const float y = (uv.y - floorf(uv.y)) * texture.height - 0.5f;
+    const float x = wrapped(texture.wrap_u, uv.x) * texture.width - 0.5f;
+    const float y = wrapped(texture.wrap_v, uv.y) * texture.height - 0.5f;
     const int column = int(floorf(x)), row = int(floorf(y));
     const float fx = x - column, fy = y - row;
-    // column lies in [-1, width]: one wrap is enough.
     const auto texel = [&](int i, int j) {
-        i = i < 0 ? i + texture.width : i >= texture.width ? i - texture.width : i;
-        j = j < 0 ? j + texture.height : j >= texture.height ? j - texture.height : j;
+        i = wrapped(texture.wrap_u, i, texture.width);
+        j = wrapped(texture.wrap_v, j, texture.height);
         return scene.texels[texture.first + j * texture.width + i];
     };
     const Vec3 low = (1 - fx) * texel(column, row) + fx * texel(column + 1, row);
@@ -24,13 +37,17 @@ HD Vec3 lookup(const SceneView& scene, const Texture& texture, Vec2 uv) {
     return (1 - fy) * low + fy * high;
 }
 
-// Material::reflectance, or its texture's value at uv.
+// Material::reflectance, or its texture's value there, times the vertex colours.
 template <Features F>
-HD Vec3 reflectance_at(const SceneView& scene, const Material& material, Vec2 uv) {
+HD Vec3 reflectance_at(const SceneView& scene, const Material& material,
+                       const SurfacePoint& surface) {
+    Vec3 reflectance = material.reflectance;
     if constexpr (F & feature::texture) {
-        if (material.texture >= 0) return lookup(scene, scene.textures[material.texture], uv);
+        if (material.texture >= 0)
+            reflectance = lookup(scene, scene.textures[material.texture], surface.uv);
     }
-    return material.reflectance;
+    if constexpr (F & feature::vertex_colours) reflectance *= surface.colour;
+    return reflectance;
 }
 
 } // namespace raylab

@@ -42,6 +42,7 @@ Features features_of(const Scene& scene) {
     add_shapes(scene.planes, feature::plane);
     add_shapes(scene.triangles, feature::triangle);
     if (!scene.corners.empty()) features |= feature::corners;
+    if (!scene.corner_colours.empty()) features |= feature::vertex_colours;
     for (const Light& light : scene.lights) {
         if (light.kind == LightKind::point) {
             features |= feature::point_light;
@@ -75,6 +76,7 @@ std::string feature_names(Features features) {
         {feature::environment, "environment"},
         {feature::environment_map, "environment_map"},
         {feature::lens, "lens"},
+        {feature::vertex_colours, "vertex_colours"},
     };
     std::string text;
     for (const auto& [bit, name] : names)

@@ -28,7 +28,8 @@ constexpr Features point_light = 1u << 13;
 constexpr Features environment = 1u << 14; // constant
 constexpr Features environment_map = 1u << 15;
 constexpr Features lens = 1u << 16;
-constexpr Features all = (1u << 17) - 1;
+constexpr Features vertex_colours = 1u << 17; // a factor at each corner of a triangle
+constexpr Features all = (1u << 18) - 1;
 } // namespace feature
 
 struct Scene;

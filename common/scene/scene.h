@@ -36,6 +36,7 @@ struct Scene {
     std::vector<Triangle> triangles;
     std::vector<TriangleRun> runs;
     std::vector<TriangleCorners> corners;
+    std::vector<CornerColours> corner_colours;
     std::vector<Material> materials;
     std::vector<std::string> material_names;
     std::vector<Light> lights;

@@ -20,6 +20,7 @@ SceneView view(const Scene& scene) {
     v.triangles = array_of(scene.triangles);
     v.runs = array_of(scene.runs);
     v.corners = array_of(scene.corners);
+    v.corner_colours = array_of(scene.corner_colours);
     v.materials = array_of(scene.materials);
     v.lights = array_of(scene.lights);
     v.textures = array_of(scene.textures);

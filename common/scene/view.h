@@ -18,23 +18,27 @@ template <class T> struct Array {
     HD const T& operator[](int i) const { return data[i]; }
 };
 
+// What lies outside an image: its repetition, its border's colour, its mirror image and so on.
+enum class Wrap : int { repeat, clamp, mirror };
+
 // An image in SceneView::texels, row 0 at the bottom (v = 0), linear RGB.
 struct Texture {
     int first; // index of its first texel
     int width, height;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
 };
 
 // Light from infinitely far away. Directions map to the unit square by latitude and longitude:
-// u = atan2(z, x) / 2 pi (wrapped to [0, 1)), v = acos(y) / pi; row 0 of the map is the top (y = 1).
-// With no map the environment is constant.
+// u = atan2(z, x) / 2 pi (wrapped to [0, 1)), v = acos(y) / pi; row 0 of the map is the top (y =
+// 1). With no map the environment is constant.
 struct Environment {
     Vec3 radiance = Vec3(0); // constant radiance, or the factor on the map
     int light = -1;          // index into SceneView::lights, or -1: no environment
     int width = 0, height = 0;
     // Over the map's texels, to sample them in proportion to luminance * sin(theta):
-    Array<Vec3> map;          // width * height radiances, row by row
-    Array<float> row_cdf;     // height + 1: P(row < i)
-    Array<float> column_cdf;  // height * (width + 1): P(column < j | row)
+    Array<Vec3> map;         // width * height radiances, row by row
+    Array<float> row_cdf;    // height + 1: P(row < i)
+    Array<float> column_cdf; // height * (width + 1): P(column < j | row)
 };
 
 struct SceneView {
@@ -46,6 +50,7 @@ struct SceneView {
     Array<Triangle> triangles;
     Array<TriangleRun> runs;
     Array<TriangleCorners> corners;
+    Array<CornerColours> corner_colours;
     Array<Material> materials;
     Array<Light> lights;
     Array<Texture> textures;

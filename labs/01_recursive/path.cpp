@@ -39,7 +39,7 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
     }
     const SurfacePoint surface = surface_at<feature::all>(scene, ray, hit);
     const Material& material = scene.materials[surface.material];
-    const Vec3 reflectance = reflectance_at<feature::all>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<feature::all>(scene, material, surface);
     const Vec3 wo = -ray.d;
 
     // Le, then the light sources directly.

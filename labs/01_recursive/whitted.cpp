@@ -24,7 +24,7 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
     if (!hit.found()) return escaped_light<feature::all>(scene, DirectLight::light, ray, delta_pdf);
     const SurfacePoint surface = surface_at<feature::all>(scene, ray, hit);
     const Material& material = scene.materials[surface.material];
-    const Vec3 reflectance = reflectance_at<feature::all>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<feature::all>(scene, material, surface);
     const Vec3 wo = -ray.d;
 
     Vec3 radiance = material.emission;

@@ -51,7 +51,7 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
         }
         const SurfacePoint surface = surface_at<F>(scene, ray, hit);
         const Material& material = scene.materials[surface.material];
-        const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+        const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
         const Vec3 wo = -ray.d;
 
         // 2. What it emits towards us, and what it scatters of the light sources.

@@ -58,7 +58,7 @@ HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings,
         }
         const SurfacePoint surface = surface_at<F>(scene, now.ray, hit);
         const Material& material = scene.materials[surface.material];
-        const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+        const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
         const Vec3 wo = -now.ray.d;
         radiance += now.throughput * material.emission;
         if (now.depth + 1 == settings.max_depth) continue;

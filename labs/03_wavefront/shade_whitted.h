@@ -36,7 +36,7 @@ template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
 
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Material& material = scene.materials[surface.material];
-    const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
     const Vec3 wo = -ray.d;
     pool.radiance[slot] += throughput * material.emission;
     if (depth + 1 == wave.settings.max_depth) return next_branch(pool, slot);

@@ -31,7 +31,7 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
 
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Material& material = scene.materials[surface.material];
-    const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
     const Vec3 wo = -ray.d;
 
     // What it emits towards us.

@@ -35,7 +35,7 @@ template <Features F> HD bool send_whitted_feeler(const Wave& wave, int slot, in
     if (pool.bounce[slot] + 1 == wave.settings.max_depth || is_specular<F>(material)) return false;
     const Ray ray = ray_of(pool, slot);
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
-    const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
     const Vec2 u = sampler_of(wave, slot).get_2d(feeler_dimension(pool.node[slot], light));
     const Feeler feeler =
         feeler_to<F>(scene, DirectLight::light, light, 1, surface, reflectance, -ray.d, u);
@@ -52,7 +52,7 @@ template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
 
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Material& material = scene.materials[surface.material];
-    const Vec3 reflectance = reflectance_at<F>(scene, material, surface.uv);
+    const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
     const Vec3 wo = -ray.d;
     pool.radiance[slot] += throughput * material.emission;
     if (depth + 1 == wave.settings.max_depth) return next_branch(pool, slot);

@@ -2,10 +2,19 @@
 #include "common/geometry/tests/support.h"
 #include "common/geometry/texture.h"
 
+#include <array>
+
 namespace raylab::test {
 namespace {
 
-constexpr Features with_corners = all_shapes | feature::corners | feature::texture;
+constexpr Features with_corners =
+    all_shapes | feature::corners | feature::texture | feature::vertex_colours;
+
+template <Features F> Vec3 at_uv(const SceneView& scene, const Material& material, Vec2 uv) {
+    SurfacePoint surface{};
+    surface.uv = uv;
+    return reflectance_at<F>(scene, material, surface);
+}
 
 void expect_near(Vec3 a, Vec3 b, float tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
@@ -110,7 +119,7 @@ TEST(Texture, is_bilinear_between_texel_centres_and_repeats) {
     Material material;
     material.texture = 0;
     const auto at = [&](double u, double v) {
-        return reflectance_at<feature::all>(scene, material, Vec2(u, v)).x;
+        return at_uv<feature::all>(scene, material, Vec2(u, v)).x;
     };
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 3; ++x) EXPECT_NEAR(at((x + 0.5) / 3, (y + 0.5) / 2), 10 * y + x, 1e-5);
@@ -122,7 +131,52 @@ TEST(Texture, is_bilinear_between_texel_centres_and_repeats) {
     EXPECT_NEAR(at(1 - 1e-7, 0.25), 1, 1e-5);
     EXPECT_NEAR(at(-1e-9, -1e-9), at(0, 0), 1e-5);
     // A kernel for scenes without textures does not look.
-    EXPECT_EQ(reflectance_at<0>(scene, material, Vec2(0)), material.reflectance);
+    EXPECT_EQ(at_uv<0>(scene, material, Vec2(0)), material.reflectance);
+}
+
+// A row of 4 texels, 0 to 3, looked at from two images to the left to two to the right.
+TEST(Texture, clamps_and_mirrors) {
+    const Vec3 texels[] = {Vec3(0), Vec3(1), Vec3(2), Vec3(3)};
+    SceneView scene{};
+    scene.texels = {texels, 4};
+    Material material;
+    material.texture = 0;
+    const auto expect_row = [&](Wrap wrap, const std::array<float, 20>& centres) {
+        const Texture across{0, 4, 1, wrap, Wrap::repeat}, upwards{0, 1, 4, Wrap::repeat, wrap};
+        for (int i = 0; i < 20; ++i) { // texel centres, and half way to the next
+            const float u = (i - 8 + 0.5f) / 4;
+            scene.textures = {&across, 1};
+            EXPECT_NEAR(at_uv<feature::all>(scene, material, Vec2(u, 0)).x, centres[i], 1e-5);
+            scene.textures = {&upwards, 1};
+            EXPECT_NEAR(at_uv<feature::all>(scene, material, Vec2(0, u)).x, centres[i], 1e-5);
+            if (i < 19) {
+                EXPECT_NEAR(at_uv<feature::all>(scene, material, Vec2(0, u + 0.125f)).x,
+                            (centres[i] + centres[i + 1]) / 2, 1e-5)
+                    << i;
+            }
+        }
+    };
+    expect_row(Wrap::clamp, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3});
+    expect_row(Wrap::mirror, {0, 1, 2, 3, 3, 2, 1, 0, 0, 1, 2, 3, 3, 2, 1, 0, 0, 1, 2, 3});
+}
+
+TEST(SurfaceAt, interpolates_vertex_colours) {
+    World world;
+    world.add(make_triangle(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+    world.triangles[0].corners = 0;
+    world.make_runs(16);
+    const TriangleCorners corners{{Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1)}, {}, 0};
+    const CornerColours colours{{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 0.5f)}};
+    SceneView scene = world.view();
+    scene.corners = {&corners, 1};
+    scene.corner_colours = {&colours, 1};
+    const SurfacePoint p = shoot(scene, Vec3(0.25f, 0.5f, 3), Vec3(0.25f, 0.5f, 0));
+    Material material;
+    material.reflectance = Vec3(0.5f);
+    const Vec3 reflectance = reflectance_at<feature::all>(scene, material, p);
+    EXPECT_NEAR(reflectance.x, 0.125, 1e-6);
+    EXPECT_NEAR(reflectance.y, 0.125, 1e-6);
+    EXPECT_NEAR(reflectance.z, 0.125, 1e-6);
 }
 
 } // namespace
