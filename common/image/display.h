@@ -1,4 +1,5 @@
-// From radiance to what a screen shows: exposure in stops, then the sRGB curve (IEC 61966-2-1).
+// From radiance to what a screen shows and back: exposure in stops, then the sRGB curve
+// (IEC 61966-2-1).
 #pragma once
 
 #include "common/math/vec.h"
@@ -14,8 +15,8 @@ inline float srgb_from_linear(float v) {
     return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
 }
 
-inline float linear_from_srgb(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+inline float linear_from_srgb(double v) {
+    return float(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
 }
 
 // 8-bit R, G, B of a pixel multiplied by 2^exposure. What is no number shows in magenta.

@@ -2,6 +2,7 @@
 #include "common/image/image_file.h"
 
 #include "common/cli/files.h"
+#include "common/image/decode.h"
 #include "common/image/formats.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace raylab {
 namespace {
 
 constexpr const char* endings = ".exr, .pfm, .hdr or .png";
+constexpr PictureLimits limits{max_image_side, std::int64_t(max_image_pixels)};
 
 std::string ending_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -30,18 +32,7 @@ std::string ending_of(const std::string& path) {
 } // namespace
 
 Image formats::allocate(long long width, long long height, std::size_t bytes_in_file) {
-    if (width < 1 || height < 1)
-        throw std::runtime_error(fmt::format("its header says {} x {} pixels", width, height));
-    if (width > max_image_side || height > max_image_side ||
-        static_cast<std::size_t>(width * height) > max_image_pixels)
-        throw std::runtime_error(fmt::format("its header says {} x {} pixels, and raylab reads at "
-                                             "most {} a side and {} million in all",
-                                             width, height, max_image_side,
-                                             max_image_pixels >> 20));
-    if (static_cast<std::size_t>(width * height) / 4096 * 3 > bytes_in_file)
-        throw std::runtime_error(fmt::format("its header says {} x {} pixels, far more than its {} "
-                                             "bytes can hold",
-                                             width, height, bytes_in_file));
+    check_picture_size(width, height, bytes_in_file, limits);
     Image image;
     image.width = static_cast<int>(width);
     image.height = static_cast<int>(height);
@@ -51,16 +42,15 @@ Image formats::allocate(long long width, long long height, std::size_t bytes_in_
 
 Image read_image(const std::string& path) {
     const std::string ending = ending_of(path);
-    Image (*decode)(const std::string&) = ending == ".exr"   ? formats::decode_exr
-                                          : ending == ".pfm" ? formats::decode_pfm
-                                          : ending == ".hdr" ? formats::decode_hdr
-                                          : ending == ".png" ? formats::decode_png
-                                                             : nullptr;
-    if (!decode) unknown_ending(path);
+    if (ending != ".exr" && ending != ".pfm" && ending != ".hdr" && ending != ".png")
+        unknown_ending(path);
     try {
         const std::string bytes = read_file(path);
         if (bytes.empty()) throw std::runtime_error("it is empty (0 bytes)");
-        return decode(bytes);
+        return ending == ".exr"   ? formats::decode_exr(bytes)
+               : ending == ".pfm" ? formats::decode_pfm(bytes)
+               : ending == ".hdr" ? decode_hdr(bytes, limits)
+                                  : decode_png(bytes, limits);
     } catch (const FileError& e) {
         throw ImageError(e.what());
     } catch (const std::bad_alloc&) {

@@ -1,177 +1,204 @@
-// Wavefront OBJ by tinyobjloader. The library takes a garbled number for 0 and trusts some counts,
-// so every line it will see is checked first, which also tells where in the file an error is; lines
-// that describe no surface (groups, materials, curves) are not handed on.
+// Wavefront OBJ: what describes surfaces (v, vt, vn, f); groups, curves and lines are passed over.
+// Own code, since tinyobjloader takes a garbled number for 0, trusts counts, and cuts polygons with
+// notches wrongly.
 #include "common/scene/located_json.h"
 #include "common/scene/mesh.h"
+#include "common/scene/obj_lines.h"
+#include "common/scene/polygon.h"
 #include "common/scene/scene_error.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <sstream>
+#include <span>
 
 namespace raylab {
 namespace {
 
-// tinyobjloader's triangulation takes quadratic time in a polygon's corners.
-constexpr std::size_t max_polygon_corners = 256;
+// Cutting takes quadratic time in the corners.
+constexpr std::size_t max_polygon_corners = 1 << 14;
 
-class ObjChecker {
+// The three lists that a corner points into.
+enum Part { vertex, texture_coordinate, normal };
+
+class ObjReader {
   public:
-    explicit ObjChecker(const std::string& name) : name_(name) {}
+    explicit ObjReader(const std::string& name) : name_(name) {}
 
-    // The lines of the text that make surfaces; throws SceneError if one of them is wrong.
-    std::string surfaces(std::string_view text) {
-        while (!text.empty()) {
-            ++line_;
-            const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-            check_line(text.substr(0, end));
-            text.remove_prefix(end);
-            if (!text.empty()) text.remove_prefix(text.starts_with("\r\n") ? 2 : 1);
+    Mesh read(std::string_view text) {
+        ObjLines lines(text);
+        for (;;) {
+            const std::vector<ObjWord>& words = lines.next();
+            if (words.empty()) break;
+            const std::string_view kind = words[0].text;
+            if (kind == "v")
+                mesh_.positions.push_back(numbers(words, 3));
+            else if (kind == "vn")
+                mesh_.normals.push_back(numbers(words, 3));
+            else if (kind == "vt")
+                mesh_.uvs.push_back(Vec2(numbers(words, 1)));
+            else if (kind == "f")
+                add_face(words);
         }
-        if (faces_ == 0)
+        if (faces_.empty())
             throw SceneError(name_ + ": expected faces (lines that begin with f), found none");
-        return std::move(checked_);
+        for (const Face& face : faces_) cut(face); // they may name vertices that come later
+        warn();
+        return std::move(mesh_);
     }
 
   private:
-    void check_line(std::string_view line) {
-        line = line.substr(0, line.find('#'));
-        const std::vector<std::string_view> words = split(line);
-        if (words.empty()) return;
-        const auto at = [&](std::size_t i) { return std::size_t(words[i].data() - line.data()); };
-        if (words[0] == "v" || words[0] == "vn" || words[0] == "vt") {
-            const bool texture = words[0] == "vt";
-            const std::size_t least = texture ? 1 : 3;
-            if (words.size() < least + 1)
-                fail(at(0), fmt::format("expected {} numbers after {}, found {}", texture ? 2 : 3,
-                                        words[0], words.size() - 1));
-            checked_ += words[0];
-            for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 4); ++i)
-                checked_.append(" ").append(number(words[i], at(i)));
-            ++count_[words[0] == "v" ? 0 : texture ? 1 : 2];
-        } else if (words[0] == "f") {
-            if (words.size() < 4)
-                fail(at(0), fmt::format("expected a face of at least 3 corners, found {}",
-                                        words.size() - 1));
-            if (words.size() > max_polygon_corners + 1)
-                fail(at(0), fmt::format("expected a face of at most {} corners, found {}; split it",
-                                        max_polygon_corners, words.size() - 1));
-            for (std::size_t i = 1; i < words.size(); ++i) check_corner(words[i], at(i));
-            checked_ += line.substr(at(0));
-            ++faces_;
-        } else {
+    using Corner = std::array<int, 3>; // an index for each Part, from 0, or none
+    struct Face {
+        std::size_t first, count; // of corners_
+        ObjWord highest;          // the corner with the highest vertex
+    };
+
+    [[noreturn]] void fail(const ObjWord& at, const std::string& what) const {
+        throw SceneError(fmt::format("{}:{}:{}: {}", name_, at.line, at.column, what));
+    }
+
+    // The first three numbers of a statement, of which `least` must be there.
+    DVec3 numbers(const std::vector<ObjWord>& words, std::size_t least) const {
+        if (words.size() < least + 1)
+            fail(words[0], fmt::format("expected {} numbers after {}, found {}", least == 1 ? 2 : 3,
+                                       words[0].text, words.size() - 1));
+        DVec3 values(0);
+        for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 4); ++i)
+            values[int(i) - 1] = number(words[i]);
+        return values;
+    }
+
+    double number(const ObjWord& word) const {
+        double value = 0;
+        const std::string_view text = word.text.substr(word.text.starts_with('+') ? 1 : 0);
+        const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc::invalid_argument || stop != text.data() + text.size())
+            fail(word, fmt::format("expected a number, found {}", quote(std::string(word.text))));
+        if (error == std::errc::result_out_of_range) // too large, or so small that it is 0
+            value = std::strtod(std::string(text).c_str(), nullptr);
+        if (!(std::fabs(value) <= std::numeric_limits<float>::max()))
+            fail(word,
+                 fmt::format("expected a finite number in single precision, found {}", word.text));
+        return value;
+    }
+
+    void add_face(const std::vector<ObjWord>& words) {
+        const std::size_t count = words.size() - 1;
+        if (count < 3) {
+            ++without_area_;
             return;
         }
-        checked_ += '\n';
-    }
-
-    static std::vector<std::string_view> split(std::string_view line) {
-        std::vector<std::string_view> words;
-        for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t", begin)) != line.npos;) {
-            const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
-            words.push_back(line.substr(begin, end - begin));
-            begin = end;
+        if (count > max_polygon_corners)
+            fail(words[0], fmt::format("expected a face of at most {} corners, found {}; split it",
+                                       max_polygon_corners, count));
+        Face face{corners_.size(), count, words[1]};
+        int highest = -1;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            corners_.push_back(corner(words[i]));
+            if (corners_.back()[vertex] <= highest) continue;
+            highest = corners_.back()[vertex];
+            face.highest = words[i];
         }
-        return words;
+        faces_.push_back(face);
     }
 
-    std::string number(std::string_view word, std::size_t at) const {
-        double value = 0;
-        const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-        const char* end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(begin, end, value);
-        if (error == std::errc::invalid_argument || stop != end)
-            fail(at, fmt::format("expected a number, found {}", quote(std::string(word))));
-        if (error != std::errc() || !(std::fabs(value) <= std::numeric_limits<float>::max()))
-            fail(at, fmt::format("expected a finite number in single precision, found {}", word));
-        // The library's own exponents overflow.
-        return word.find_first_of("eE") == word.npos ? std::string(word) : fmt::format("{}", value);
-    }
-
-    // position[/[texture coordinate][/normal]], each counted from 1, or from the last one back from
-    // -1.
-    void check_corner(std::string_view word, std::size_t at) const {
-        static constexpr std::array<const char*, 3> what{"vertex", "texture coordinate", "normal"};
-        std::string_view rest = word;
-        for (std::size_t part = 0; part < 3; ++part) {
+    // vertex[/[texture coordinate][/[normal]]], each counted from 1, or back from -1, the last one
+    // above this line.
+    Corner corner(const ObjWord& word) const {
+        Corner corner{none, none, none};
+        std::string_view rest = word.text;
+        for (const Part part : {vertex, texture_coordinate, normal}) {
             const std::size_t slash = std::min(rest.find('/'), rest.size());
             const std::string_view digits = rest.substr(0, slash);
-            const bool left_out = digits.empty() && part == 1 && slash < rest.size(); // 1//3
-            if (!left_out) {
-                int index = 0;
-                const auto [stop, error] =
-                    std::from_chars(digits.data(), digits.data() + digits.size(), index);
-                if (error != std::errc() || stop != digits.data() + digits.size())
-                    fail(at,
-                         fmt::format("expected a corner such as 1, 1/2, 1//3 or 1/2/3, found {}",
-                                     quote(std::string(word))));
-                if (index == 0 || index > count_[part] || index < -count_[part])
-                    fail(at, fmt::format(
-                                 "{} {} does not exist; {} are defined above this line, counted "
-                                 "from 1",
-                                 what[part], index, count_[part]));
-            }
-            if (slash == rest.size()) return;
+            if (!digits.empty() || part == vertex) corner[part] = index(word, digits, part);
+            if (slash == rest.size()) return corner;
             rest.remove_prefix(slash + 1);
         }
-        fail(at, fmt::format("expected a corner such as 1, 1/2, 1//3 or 1/2/3, found {}",
-                             quote(std::string(word))));
+        fail_as_corner(word);
     }
 
-    [[noreturn]] void fail(std::size_t at, const std::string& what) const {
-        throw SceneError(fmt::format("{}:{}:{}: {}", name_, line_, at + 1, what));
+    int index(const ObjWord& word, std::string_view digits, Part part) const {
+        int index = 0;
+        const auto [stop, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), index);
+        if (error != std::errc() || stop != digits.data() + digits.size()) fail_as_corner(word);
+        if (index > 0) return index - 1;
+        const int above = int(part == vertex               ? mesh_.positions.size()
+                              : part == texture_coordinate ? mesh_.uvs.size()
+                                                           : mesh_.normals.size());
+        if (index < 0 && index >= -above) return above + index;
+        if (part == vertex)
+            fail(word, fmt::format("vertex {} does not exist; {} are defined above this line, "
+                                   "counted from 1, or back from -1",
+                                   index, above));
+        return missing;
     }
+
+    [[noreturn]] void fail_as_corner(const ObjWord& word) const {
+        fail(word, fmt::format("expected a corner such as 1, 1/2, 1//3 or 1/2/3, found {}",
+                               quote(std::string(word.text))));
+    }
+
+    void cut(const Face& face) {
+        const auto corners = std::span(corners_).subspan(face.first, face.count);
+        std::vector<DVec3> positions;
+        for (Corner& corner : corners) {
+            if (corner[vertex] >= int(mesh_.positions.size()))
+                fail(face.highest,
+                     fmt::format("vertex {} does not exist; the file has {}, counted from 1",
+                                 corner[vertex] + 1, mesh_.positions.size()));
+            positions.push_back(mesh_.positions[corner[vertex]]);
+            check(corner[texture_coordinate], mesh_.uvs.size());
+            check(corner[normal], mesh_.normals.size());
+        }
+        for (const std::array<int, 3>& cut : cut_polygon(positions)) {
+            MeshTriangle triangle;
+            for (int i = 0; i < 3; ++i) {
+                triangle.position[i] = corners[cut[i]][vertex];
+                triangle.uv[i] = corners[cut[i]][texture_coordinate];
+                triangle.normal[i] = corners[cut[i]][normal];
+            }
+            // A triangle has normals or texture coordinates at all its corners or at none.
+            for (auto* part : {&triangle.normal, &triangle.uv})
+                if ((*part)[0] < 0 || (*part)[1] < 0 || (*part)[2] < 0) *part = {none, none, none};
+            mesh_.triangles.push_back(triangle);
+        }
+    }
+
+    void check(int& index, std::size_t size) {
+        if (index != missing && index < int(size)) return;
+        index = none;
+        ++missing_;
+    }
+
+    void warn() {
+        if (without_area_ > 0)
+            mesh_.warnings.push_back(fmt::format(
+                "{}: {} faces have fewer than 3 corners and are left out", name_, without_area_));
+        if (missing_ > 0)
+            mesh_.warnings.push_back(
+                fmt::format("{}: {} corners name texture coordinates or normals that the file does "
+                            "not have; their faces go without",
+                            name_, missing_));
+    }
+
+    static constexpr int none = -1, missing = std::numeric_limits<int>::max();
 
     const std::string& name_;
-    std::string checked_;
-    int line_ = 0;
-    std::array<int, 3> count_{}; // vertices, texture coordinates, normals so far
-    int faces_ = 0;
+    Mesh mesh_;
+    std::vector<Corner> corners_;
+    std::vector<Face> faces_;
+    int without_area_ = 0, missing_ = 0;
 };
 
 } // namespace
 
 Mesh parse_obj(std::string_view text, const std::string& name) {
-    std::istringstream stream(ObjChecker(name).surfaces(text));
-    tinyobj::attrib_t attributes;
-    std::vector<tinyobj::shape_t> shapes;
-    std::vector<tinyobj::material_t> materials;
-    std::string warning, error;
-    constexpr bool triangulate = true, default_vertex_colors = false;
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
-                          triangulate, default_vertex_colors))
-        throw SceneError(name + ": " + error);
-
-    Mesh mesh;
-    for (std::size_t i = 0; i + 2 < attributes.vertices.size(); i += 3)
-        mesh.positions.emplace_back(attributes.vertices[i], attributes.vertices[i + 1],
-                                    attributes.vertices[i + 2]);
-    for (std::size_t i = 0; i + 2 < attributes.normals.size(); i += 3)
-        mesh.normals.emplace_back(attributes.normals[i], attributes.normals[i + 1],
-                                  attributes.normals[i + 2]);
-    for (std::size_t i = 0; i + 1 < attributes.texcoords.size(); i += 2)
-        mesh.uvs.emplace_back(attributes.texcoords[i], attributes.texcoords[i + 1]);
-    for (const tinyobj::shape_t& shape : shapes) {
-        const std::vector<tinyobj::index_t>& corners = shape.mesh.indices;
-        for (std::size_t first = 0; first + 2 < corners.size(); first += 3) {
-            MeshTriangle triangle;
-            for (int i = 0; i < 3; ++i) {
-                triangle.position[i] = corners[first + i].vertex_index;
-                triangle.normal[i] = corners[first + i].normal_index;
-                triangle.uv[i] = corners[first + i].texcoord_index;
-            }
-            // A triangle has normals or texture coordinates at all its corners or at none.
-            for (auto* part : {&triangle.normal, &triangle.uv})
-                if ((*part)[0] < 0 || (*part)[1] < 0 || (*part)[2] < 0) *part = {-1, -1, -1};
-            mesh.triangles.push_back(triangle);
-        }
-    }
-    return mesh;
+    return ObjReader(name).read(text);
 }
 
 } // namespace raylab

@@ -18,11 +18,9 @@ struct Picture {
 constexpr int max_picture_side = 16384;
 constexpr int max_picture_texels = 1 << 25; // 384 MiB as float
 
-// Decodes PNG, JPEG (8 bits a channel are sRGB) or Radiance HDR (linear). `name` is for messages.
-// Throws SceneError: unknown format, too large, broken, or ending too early.
+// Decodes PNG or JPEG (both sRGB) or Radiance HDR (linear); docs/formats.md says what of them.
+// `name` is for messages. Throws SceneError: unknown format, too large, damaged, or ending too
+// early.
 Picture decode_picture(std::string_view bytes, const std::string& name);
-
-// IEC 61966-2-1: the linear value of an 8-bit sRGB one.
-float linear_from_srgb(int value);
 
 } // namespace raylab

@@ -1,11 +1,8 @@
-// Environment maps: their tables, and images that end too early.
+// Environment maps and their tables.
 #include "common/scene/environment_map.h"
 
-#include "common/scene/image_checks.h"
 #include "common/scene/tests/scene_files.h"
 
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -97,61 +94,6 @@ TEST(EnvironmentMap, IsReadWithItsTopRowFirst) {
     EXPECT_EQ(scene.environment_radiance, Vec3(3));
     EXPECT_EQ(scene.environment_light, 2) << "the last light, wherever it stands in the file";
     EXPECT_EQ(scene.lights.back().kind, LightKind::environment);
-}
-
-TEST(Picture, ThatEndsTooEarlyIsAnError) {
-    const std::string whole = png(3, 3, std::string(27, '\x33'));
-    EXPECT_EQ(decode_picture(whole, "p").texels.size(), 9u);
-    for (std::size_t size = 0; size < whole.size() - 12; ++size) // the last chunk carries nothing
-        EXPECT_THROW(decode_picture(whole.substr(0, size), "p"), SceneError) << size;
-    const std::string map = hdr(4, 2, std::string(32, '\x80'));
-    EXPECT_EQ(decode_picture(map, "p").texels.size(), 8u);
-    for (std::size_t size = 0; size < map.size(); ++size)
-        EXPECT_THROW(decode_picture(map.substr(0, size), "p"), SceneError) << size;
-    // Run lengths that never come: the library alone would wait for them for ever.
-    EXPECT_THROW(decode_picture(hdr(8, 1, std::string("\2\2\0\x08\x88", 5)), "p"), SceneError);
-}
-
-TEST(Picture, OfNoSizeOrTooLargeOneIsAnError) {
-    EXPECT_THROW(decode_picture(hdr(8, 0, ""), "p"), SceneError);
-    EXPECT_THROW(decode_picture(hdr(0, 8, ""), "p"), SceneError);
-    EXPECT_THROW(decode_picture(hdr(16385, 1, ""), "p"), SceneError);
-    EXPECT_THROW(decode_picture(hdr(8192, 4096, "short"), "p"), SceneError);
-    EXPECT_NE(error_of([] { decode_picture(hdr(16384, 16384, ""), "p"); }).find("16384 x 16384"),
-              std::string::npos);
-}
-
-TEST(Png, ChunksThatReachBeyondTheFileAreRefusedBeforeTheyAreAllocated) {
-    const std::string whole = png(2, 2, std::string(12, '\x33'));
-    EXPECT_TRUE(png_chunks_fit(whole));
-    const std::size_t length = whole.find("IDAT") - 4;
-    std::string huge = whole, empty = whole;
-    huge.replace(length, 4, std::string("\x3f\xff\xff\xff", 4)); // a gigabyte
-    empty.replace(length, 4, std::string("\0\0\0\0", 4));
-    EXPECT_FALSE(png_chunks_fit(huge));
-    EXPECT_FALSE(png_chunks_fit(empty));
-    EXPECT_THROW(decode_picture(huge, "p"), SceneError);
-}
-
-std::string jpeg_seed() {
-    std::ifstream file(RAYLAB_FUZZ_SEEDS "/picture/ramp.jpg", std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-TEST(Jpeg, IsReadAsLinearRgb) {
-    const Picture picture = decode_picture(jpeg_seed(), "p");
-    ASSERT_EQ(picture.width, 8);
-    ASSERT_EQ(picture.height, 8);
-    const int first_row[] = {2, 4, 7, 10, 14, 18, 20, 22}; // as another decoder has it
-    for (std::size_t x = 0; x < 8; ++x)
-        EXPECT_NEAR(picture.texels[x].y, linear_from_srgb(first_row[x]), 1e-3) << x;
-    EXPECT_GT(picture.texels.back().y, picture.texels.front().y) << "the top row is first";
-}
-
-TEST(Jpeg, OfWhichAByteLacksIsAnError) {
-    const std::string whole = jpeg_seed();
-    for (std::size_t size = 3; size + 2 < whole.size(); ++size)
-        EXPECT_THROW(decode_picture(whole.substr(0, size), "p"), SceneError) << size;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // glTF files made here, byte by byte.
+#include "common/image/display.h"
 #include "common/scene/mesh.h"
 #include "common/scene/tests/scene_files.h"
 
@@ -163,7 +164,7 @@ TEST(Gltf, TakesBaseColoursAndImages) {
     EXPECT_EQ(scene.material_names.back(), "skin");
     EXPECT_EQ(scene.materials[scene.triangles.at(0).tags.material].texture, 0);
     EXPECT_EQ(scene.texels.at(0).x, 0.5f);
-    EXPECT_EQ(scene.texels[0].y, linear_from_srgb(128));
+    EXPECT_EQ(scene.texels[0].y, linear_from_srgb(128 / 255.0));
     EXPECT_EQ(scene.texels[0].z, 0);
     EXPECT_EQ(scene.corners.at(0).normal[0], Vec3(0, 0, 1));
     const Scene other = load(

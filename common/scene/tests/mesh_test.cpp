@@ -3,6 +3,8 @@
 
 #include "common/scene/tests/scene_files.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace raylab {
@@ -61,6 +63,61 @@ TEST(Obj, CountsNegativeIndicesFromTheEnd) {
     }
 }
 
+// The corners of the only triangle: vertex, texture coordinate, normal.
+std::array<std::array<int, 3>, 3> only_triangle(const std::string& text) {
+    const Mesh mesh = parse_obj(text, "m.obj");
+    if (mesh.triangles.size() != 1) return {};
+    const MeshTriangle& t = mesh.triangles[0];
+    return {t.position, t.uv, t.normal};
+}
+
+TEST(Obj, IsReadHoweverItsLinesAreWritten) {
+    const std::array<std::array<int, 3>, 3> none{{{0, 1, 2}, {-1, -1, -1}, {-1, -1, -1}}},
+        uvs{{{0, 1, 2}, {0, 0, 1}, {-1, -1, -1}}}, all{{{0, 1, 2}, {0, 0, 1}, {0, 0, 0}}};
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\n";
+    EXPECT_EQ(only_triangle("\xEF\xBB\xBF" + points + "f 1 2 3"), none) << "byte order mark";
+    EXPECT_EQ(only_triangle("\xEF\xBB\xBFv 0 0 0\rv 1 0 0\r\nv 0 1 0\rf 1 2 3\r"), none);
+    EXPECT_EQ(only_triangle("v 0 \\\n0 0\nv\\\r\n1 0 0\nv 0 1 0\nf 1 2 \\ \n\\\n3"), none);
+    EXPECT_EQ(only_triangle(points + "f 1// 2// 3//"), none);
+    EXPECT_EQ(only_triangle(points + "f 1/ 2/ 3/"), none);
+    EXPECT_EQ(only_triangle(points + "f 1/1/ 2/1/ 3/2/"), uvs);
+    EXPECT_EQ(only_triangle(points + "\tf\t1/1/1\t 2/1/1 3/2/1 \t"), all);
+    EXPECT_EQ(only_triangle(points + "f -3/-2/-1 -2/-2/-1 -1/-1/-1 # comment \\\n"), all);
+    EXPECT_EQ(only_triangle("f 1 2 3\nv 0 0 0\nv 1e-400 +1. -.5\nv 0 1 0\n"), none) << "v after f";
+    const std::string long_line = "g " + std::string(1 << 20, 'x') + "\n";
+    EXPECT_EQ(only_triangle(long_line + points + "f" + std::string(1 << 20, ' ') + "1 2 3"), none);
+}
+
+TEST(Obj, KeepsNumbersInDouble) {
+    const Mesh mesh = parse_obj("v 500000.123 1e-320 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
+    EXPECT_EQ(mesh.positions.at(0), DVec3(500000.123, 1e-320, 0));
+}
+
+TEST(Obj, WithoutTheTextureCoordinatesOrNormalsItNamesGoesWithout) {
+    const std::array<std::array<int, 3>, 3> none{{{0, 1, 2}, {-1, -1, -1}, {-1, -1, -1}}};
+    EXPECT_EQ(only_triangle("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/1/-1 3/9/0\n"), none);
+    const Mesh mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1 2\n", "m.obj");
+    EXPECT_EQ(mesh.warnings,
+              (std::vector<std::string>{
+                  "m.obj: 1 faces have fewer than 3 corners and are left out",
+                  "m.obj: 6 corners name texture coordinates or normals that the file does not "
+                  "have; their faces go without"}));
+}
+
+TEST(Obj, CutsLargePolygonsAndThoseWithNotches) {
+    std::string disc = "f";
+    for (int i = 1; i <= 1000; ++i) disc += " " + std::to_string(i);
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 1000;
+        disc += fmt::format("\nv {} {} 0", std::cos(angle), std::sin(angle));
+    }
+    EXPECT_NEAR(area(parse_obj(disc, "m.obj")), 500 * std::sin(2 * std::numbers::pi / 1000), 1e-9);
+    EXPECT_DOUBLE_EQ(area(parse_obj("v 0 -1 0\nv 6 -1 0\nv 3 0 0\nv 2 10 0\nv 1 0 0\nv 0 10 0\n"
+                                    "f 1 2 3 4 5 6\n",
+                                    "m.obj")),
+                     19.5);
+}
+
 TEST(Obj, SaysWhichLineIsWrong) {
     const auto message = [](const std::string& lines) {
         return error_of([&] { parse_obj(lines, "m.obj"); });
@@ -75,18 +132,21 @@ TEST(Obj, SaysWhichLineIsWrong) {
               "m.obj:1:5: expected a finite number in single precision, found 1e99");
     EXPECT_EQ(message("v 0 1e999 0\n"),
               "m.obj:1:5: expected a finite number in single precision, found 1e999");
-    EXPECT_EQ(message(three + "f 1 2\n"),
-              "m.obj:4:1: expected a face of at least 3 corners, found 2");
+    EXPECT_EQ(message("v 0 0 -inf\n"),
+              "m.obj:1:7: expected a finite number in single precision, found -inf");
     EXPECT_EQ(message(three + "f 1 2 4\n"),
-              "m.obj:4:7: vertex 4 does not exist; 3 are defined above this line, counted from 1");
-    EXPECT_EQ(message(three + "f 1 2 -4\n"),
-              "m.obj:4:7: vertex -4 does not exist; 3 are defined above this line, counted from 1");
+              "m.obj:4:7: vertex 4 does not exist; the file has 3, counted from 1");
+    EXPECT_EQ(message(three + "f 1 2 -4\n"), "m.obj:4:7: vertex -4 does not exist; 3 are defined "
+                                             "above this line, counted from 1, or back from -1");
     EXPECT_EQ(message(three + "f 0 1 2\n"),
-              "m.obj:4:3: vertex 0 does not exist; 3 are defined above this line, counted from 1");
-    EXPECT_EQ(message(three + "f 1/1 2/1 3/1\n"), "m.obj:4:3: texture coordinate 1 does not exist; "
-                                                  "0 are defined above this line, counted from 1");
-    EXPECT_EQ(message(three + "f 1//1 2 3\n"),
-              "m.obj:4:3: normal 1 does not exist; 0 are defined above this line, counted from 1");
+              "m.obj:4:3: vertex 0 does not exist; 3 are defined above "
+              "this line, counted from 1, or back from -1");
+    EXPECT_EQ(message(three + "f 1 \\\n2 9\n"),
+              "m.obj:5:3: vertex 9 does not exist; the file has 3, counted from 1");
+    EXPECT_EQ(message(three + "f 1/2/3/4 2 3\n"),
+              "m.obj:4:3: expected a corner such as 1, 1/2, 1//3 or 1/2/3, found \"1/2/3/4\"");
+    EXPECT_EQ(message(three + "f //1 2 3\n"),
+              "m.obj:4:3: expected a corner such as 1, 1/2, 1//3 or 1/2/3, found \"//1\"");
     EXPECT_EQ(message(three + "f 1 2 3x\n"),
               "m.obj:4:7: expected a corner such as 1, 1/2, 1//3 or 1/2/3, found \"3x\"");
     EXPECT_EQ(message(three + "f 1 2 99999999999\n"),
@@ -151,6 +211,10 @@ TEST(MeshShape, HasCornersOnlyWhereNormalsOrTextureCoordinatesMatter) {
     EXPECT_EQ(mesh_scene(with_both, R"(, "smooth": false)").triangles[0].corners, -1);
     EXPECT_EQ(mesh_scene(with_both, "").corners.at(0).normal[1], Vec3(0.6f, 0, 0.8f));
     EXPECT_EQ(mesh_scene(bare, R"(, "smooth": true)").corners.at(0).normal[1], Vec3(0, 0, 1));
+    // A normal of no length says nothing: the geometric one stands in for it.
+    EXPECT_EQ(
+        mesh_scene("vn 0 0 0\n" + triangle + "f 1//1 2//2 3//1\n", "").corners.at(0).normal[0],
+        Vec3(0, 0, 1));
     const Scene textured = mesh_scene(with_both, R"(, "smooth": false)", "\"image\"");
     EXPECT_EQ(textured.corners.at(0).normal[0], Vec3(0, 0, 1)) << "flat: the geometric normal";
     EXPECT_EQ(textured.corners.at(0).uv[1], Vec2(1, 0));

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
 #include <nlohmann/json_fwd.hpp>
+#include <spng.h>
 #include <stb/stb_image.h>
 #include <turbojpeg.h>
 
@@ -16,10 +17,10 @@ int main() {
     const Imf::Header header(2, 3);
     const glm::vec2 v(1, 2);
     const bool works = header.dataWindow().max.y == 2 && fmt::format("{}", glm::dot(v, v)) == "5" &&
-                       tjGetErrorStr() != nullptr && glewGetErrorString(GLEW_NO_ERROR) != nullptr &&
+                       tjGetErrorStr() != nullptr && spng_version_string() != nullptr &&
+                       glewGetErrorString(GLEW_NO_ERROR) != nullptr &&
                        glfwGetVersionString() != nullptr && stbi_failure_reason() == nullptr &&
                        boost::math::cdf(boost::math::students_t(3), 0.0) == 0.5 &&
-                       boost::context::detail::make_fcontext != nullptr &&
-                       testing::Matches(5)(5);
+                       boost::context::detail::make_fcontext != nullptr && testing::Matches(5)(5);
     return works ? 0 : 1;
 }
