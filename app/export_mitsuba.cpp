@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 namespace raylab::app {
@@ -214,9 +216,12 @@ class MitsubaWriter {
             return;
         }
         files_.push_back({"sky.exr", formats::encode_exr(fine_sky(scene_))});
-        // Mitsuba's u is 0 at -z and grows towards x; ours is 0 at x and grows towards z.
+        // Mitsuba's u is 0 at -z and grows towards x; ours is 0 at x, turned by -turn, and grows
+        // towards z.
+        const double turn = 2 * std::numbers::pi * double(scene_.environment_turn);
+        const float c = float(std::cos(turn)), s = float(std::sin(turn));
         line("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.exr\"/>{}</emitter>",
-             to_world(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0)));
+             to_world(Vec3(s, 0, c), Vec3(0, 1, 0), Vec3(-c, 0, s), Vec3(0)));
     }
 
     const Scene& scene_;

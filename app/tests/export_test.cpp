@@ -96,6 +96,32 @@ TEST(MitsubaExport, FloatsSurviveAsText) {
     EXPECT_EQ(p, mesh.positions[0]);
 }
 
+TEST(MitsubaExport, TheSkyIsTurned) {
+    Scene scene =
+        parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0]})"), "test.json");
+    scene.environment_light = 0;
+    scene.environment_width = scene.environment_height = 1;
+    scene.environment_map = {Vec3(1)};
+    const auto matrix = [&](float turn) {
+        scene.environment_turn = turn;
+        const std::string text = bytes_of(mitsuba_files(scene), "scene.xml");
+        const std::size_t at = text.find("value=\"", text.find("sky.exr\"/>"));
+        return text.substr(at, text.find('"', at + 7) + 1 - at);
+    };
+    // Columns: where Mitsuba's x, y and z go. Its sky's u = 1/4, at x, lies towards our +z, or
+    // where phi is 90 degrees less the turn.
+    EXPECT_EQ(matrix(0), "value=\"0 0 -1 0 0 1 0 0 1 0 0 0 0 0 0 1\"");
+    float m[16];
+    ASSERT_EQ(std::sscanf(matrix(0.125f).c_str(), "value=\"%f %f %f %f %f %f %f %f %f %f %f", &m[0],
+                          &m[1], &m[2], &m[3], &m[4], &m[5], &m[6], &m[7], &m[8], &m[9], &m[10]),
+              11);
+    const double half = std::sqrt(0.5);
+    EXPECT_NEAR(m[0], half, 1e-6);
+    EXPECT_NEAR(m[8], half, 1e-6);
+    EXPECT_NEAR(m[2], -half, 1e-6);
+    EXPECT_NEAR(m[10], half, 1e-6);
+}
+
 // The mean of the interpolated sky over one of our texels: its own radiance, and for a quarter of
 // the ramps above and below the neighbour's, which gets as much of its own back.
 TEST(MitsubaExport, TheFineSkyKeepsEachTexelsLight) {

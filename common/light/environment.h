@@ -21,7 +21,7 @@ struct Texel {
 // Where a direction falls. theta by atan2, since acos(y) has lost the angle near the poles. A tiny
 // negative longitude wraps to just below 1, or rounds to 1: that is the last column too.
 HD Texel environment_texel(const Environment& environment, Vec3 d) {
-    const float phi = atan2f(d.z, d.x) * inv_two_pi;
+    const float phi = atan2f(d.z, d.x) * inv_two_pi + environment.turn;
     const float u = phi < 0 ? phi + 1 : phi;
     const float v = atan2f(sqrtf(d.x * d.x + d.z * d.z), d.y) * inv_pi;
     const int column = static_cast<int>(u * environment.width);
@@ -90,7 +90,7 @@ HD LightSample sample_environment_map(const Environment& environment, Vec2 u) {
     const int edge = upper ? row : environment.height - row;
     const int next = upper ? edge + 1 : edge - 1;
     const float h = (1 - t) * row_edge(environment, edge) + t * row_edge(environment, next);
-    const Vec2 meridian = cos_sin_turn((column + s) / environment.width);
+    const Vec2 meridian = cos_sin_turn((column + s) / environment.width - environment.turn);
     const float sin_theta = safe_sqrt(h * (2 - h));
     const Vec3 wi(sin_theta * meridian.x, upper ? 1 - h : h - 1, sin_theta * meridian.y);
 

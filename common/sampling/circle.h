@@ -20,7 +20,7 @@ HD Vec2 cos_sin_octant(float t) {
     return Vec2(1 + s * c, t * d);
 }
 
-// (cos, sin) of 2 pi u, |u| <= 1.
+// (cos, sin) of 2 pi u, |u| <= 2.
 HD Vec2 cos_sin_turn(float u) {
     const int quarter = static_cast<int>(floorf(4 * u + 0.5f));
     const Vec2 p = cos_sin_octant(8 * u - 2 * quarter); // exact: a difference of near numbers

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace raylab {
 namespace {
@@ -20,6 +22,21 @@ void append_cdf(const std::vector<double>& weights, std::vector<float>& cdf) {
 }
 
 } // namespace
+
+float rotate_map(Picture& map, double degrees) {
+    const double columns = std::fmod(degrees, 360) / 360 * map.width;
+    const double whole = std::round(columns);
+    const auto shift = std::ptrdiff_t(whole < 0 ? whole + map.width : whole);
+    for (int y = 0; y < map.height; ++y) {
+        const auto row = map.texels.begin() + std::ptrdiff_t(y) * map.width;
+        std::rotate(row, row + shift % map.width, row + map.width);
+    }
+    // As far as the angle is rounded, and what is computed from it.
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * std::fabs(degrees) / 360 * map.width;
+    const double left = columns - whole;
+    return std::fabs(left) <= rounding ? 0 : float(left / map.width);
+}
 
 EnvironmentCdf environment_cdf(const Picture& map) {
     const std::size_t width = map.width, height = map.height;

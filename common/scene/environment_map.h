@@ -16,4 +16,9 @@ struct EnvironmentCdf {
 
 EnvironmentCdf environment_cdf(const Picture& map);
 
+// Turns a map about +y by any finite angle in degrees, counterclockwise seen from above: +z goes to
+// +x, and so towards smaller u. Columns move as far as whole ones do; returns what is left, in
+// turns to be added to u, at most half a column. An angle of k columns is exact, and leaves 0.
+float rotate_map(Picture& map, double degrees);
+
 } // namespace raylab

@@ -30,7 +30,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"transform", {"scale", "rotate", "translate"}},
         {"rotate", {"axis", "angle_deg"}},
         {"light point", {"kind", "position", "intensity"}},
-        {"light environment", {"kind", "radiance", "file", "scale"}},
+        {"light environment", {"kind", "radiance", "file", "scale", "rotate_deg"}},
         {"expect", {"formula", "value", "tolerance", "region", "spp"}},
     };
     return keys;

@@ -37,6 +37,9 @@ void SceneBuilder::read_environment(const Node& node) {
     if (const auto radiance = node.find("radiance")) {
         if (const auto scale = node.find("scale"))
             scale->fail("scale belongs to a map: multiply the radiance instead");
+        if (const auto rotate = node.find("rotate_deg"))
+            rotate->fail("rotate_deg belongs to a map: a constant environment is the same from "
+                         "everywhere");
         scene_.environment_radiance = radiance->rgb();
         if (is_black(scene_.environment_radiance)) {
             scene_.warnings.push_back(radiance->place() + ": a black environment is left out");
@@ -51,6 +54,8 @@ void SceneBuilder::read_environment(const Node& node) {
         } catch (const SceneError& error) {
             file.fail(error.what());
         }
+        if (const auto rotate = node.find("rotate_deg"))
+            scene_.environment_turn = rotate_map(map, rotate->number());
         EnvironmentCdf cdf = environment_cdf(map);
         scene_.environment_radiance =
             Vec3(node.has("scale") ? float(node.at("scale").positive()) : 1);

@@ -45,6 +45,7 @@ struct Scene {
     Vec3 environment_radiance = Vec3(0);
     int environment_light = -1;
     int environment_width = 0, environment_height = 0;
+    float environment_turn = 0; // what rotate_deg leaves when whole columns have been moved
     std::vector<Vec3> environment_map;
     std::vector<float> environment_row_cdf, environment_column_cdf;
     std::vector<Expectation> expect;

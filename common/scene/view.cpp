@@ -29,6 +29,7 @@ SceneView view(const Scene& scene) {
                      scene.environment_light,
                      scene.environment_width,
                      scene.environment_height,
+                     scene.environment_turn,
                      array_of(scene.environment_map),
                      array_of(scene.environment_row_cdf),
                      array_of(scene.environment_column_cdf)};

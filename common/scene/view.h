@@ -29,12 +29,13 @@ struct Texture {
 };
 
 // Light from infinitely far away. Directions map to the unit square by latitude and longitude:
-// u = atan2(z, x) / 2 pi (wrapped to [0, 1)), v = acos(y) / pi; row 0 of the map is the top (y =
-// 1). With no map the environment is constant.
+// u = atan2(z, x) / 2 pi + turn (wrapped to [0, 1)), v = acos(y) / pi; row 0 of the map is the top
+// (y = 1). With no map the environment is constant.
 struct Environment {
     Vec3 radiance = Vec3(0); // constant radiance, or the factor on the map
     int light = -1;          // index into SceneView::lights, or -1: no environment
     int width = 0, height = 0;
+    float turn = 0; // of the map, in turns; at most half a column either way
     // Over the map's texels, to sample them in proportion to luminance * sin(theta):
     Array<Vec3> map;         // width * height radiances, row by row
     Array<float> row_cdf;    // height + 1: P(row < i)

@@ -114,6 +114,37 @@ TEST(Environment, samples_follow_the_map) {
     EXPECT_GT(test::chi_square_p(observed, expected), 1e-4);
 }
 
+// A turned map shows at d what it showed at d turned the other way, and is sampled so.
+TEST(Environment, a_turned_map_is_looked_up_and_sampled_where_it_lies) {
+    const test::LightScene scene = hard_map();
+    for (const float turn : {0.37f / 16, -0.5f / 16}) {
+        const double angle = 2 * M_PI * double(turn), c = std::cos(angle), s = std::sin(angle);
+        // The direction whose phi is `sign * angle` larger.
+        const auto turned = [&](Vec3 d, double sign) {
+            return Vec3(DVec3(c * d.x - sign * s * d.z, d.y, c * d.z + sign * s * d.x));
+        };
+        SceneView view = scene.view();
+        const Environment plain = view.environment;
+        view.environment.turn = turn;
+        test::Random random(7);
+        int elsewhere = 0;
+        const int n = 100'000;
+        for (int i = 0; i < n; ++i) {
+            const Vec3 d = random.direction();
+            const Texel t = environment_texel(view.environment, d);
+            const Texel right = environment_texel(plain, turned(d, 1));
+            elsewhere += t.column != right.column || t.row != right.row; // rounding at an edge
+            const Vec2 u = random.square();
+            const LightSample sample = sample_environment_map(view.environment, u);
+            const LightSample there = sample_environment_map(plain, u);
+            ASSERT_LT(length(sample.wi - turned(there.wi, -1)), 1e-6);
+            ASSERT_EQ(sample.pdf, there.pdf);
+            elsewhere += sample.radiance != environment_radiance<F>(view, sample.wi);
+        }
+        EXPECT_LT(elsewhere, n * 1e-4);
+    }
+}
+
 TEST(Environment, density_integrates_to_one) {
     const test::LightScene scene = hard_map();
     const SceneView view = scene.view();

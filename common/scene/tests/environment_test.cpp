@@ -96,5 +96,76 @@ TEST(EnvironmentMap, IsReadWithItsTopRowFirst) {
     EXPECT_EQ(scene.lights.back().kind, LightKind::environment);
 }
 
+std::vector<int> rotated(int width, double degrees, float* left = nullptr) {
+    Picture map{width, 2, {}};
+    for (int i = 0; i < 2 * width; ++i) map.texels.push_back(Vec3(float(i)));
+    const float turn = rotate_map(map, degrees);
+    if (left) *left = turn;
+    std::vector<int> columns; // which column of the file each of the first row's is now
+    for (int x = 0; x < width; ++x) {
+        columns.push_back(int(map.texels[x].x));
+        EXPECT_EQ(map.texels[width + x].x, map.texels[x].x + float(width));
+    }
+    return columns;
+}
+
+TEST(EnvironmentMap, IsTurnedLikeAShape) {
+    float left = 1;
+    EXPECT_EQ(rotated(8, 0, &left), (std::vector{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(left, 0);
+    // What lay towards +z, u = 1/4, comes to +x, u = 0, as a shape does that is turned by 90
+    // degrees.
+    EXPECT_EQ(rotated(8, 90, &left), (std::vector{2, 3, 4, 5, 6, 7, 0, 1}));
+    EXPECT_EQ(left, 0);
+    EXPECT_EQ(rotated(8, -45), (std::vector{7, 0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(rotated(8, 90 - 360 * 3), rotated(8, 90));
+    for (const int width : {7, 1000, 4095})
+        for (int k = -width; k <= 2 * width; ++k) {
+            const std::vector<int> columns = rotated(width, 360.0 / width * k, &left);
+            ASSERT_EQ(columns[0], (k + width) % width) << width << ' ' << k;
+            ASSERT_EQ(left, 0) << width << ' ' << k;
+        }
+    // Between columns the rest is left: to 1 / 8 of a turn as far as whole columns go.
+    EXPECT_EQ(rotated(8, 50, &left)[0], 1);
+    EXPECT_NEAR(left, 5 / 360.0, 1e-9);
+    EXPECT_EQ(rotated(8, -50, &left)[0], 7);
+    EXPECT_NEAR(left, -5 / 360.0, 1e-9);
+    for (const double any : {22.5, -22.5, 359.999, 1e38, -1e38, 1e-300}) {
+        rotated(1, any, &left);
+        EXPECT_LE(std::fabs(left), 0.5f) << any;
+        rotated(8, any, &left);
+        EXPECT_LE(std::fabs(left), 0.5f / 8) << any;
+    }
+}
+
+TEST(EnvironmentMap, TurnedInASceneIsAShiftedMap) {
+    TemporaryFolder folder;
+    std::string texels; // blue grows along the row
+    for (int i = 0; i < 16; ++i) texels += std::string("\x80\x40", 2) + char(10 * i) + '\x81';
+    folder.write("sky.hdr", hdr(8, 2, texels));
+    const auto scene = [&](const std::string& more) {
+        return load(with(good_scene,
+                         R"({"kind": "point", "position": [0, 5, 0], "intensity": [1, 1, 1]})",
+                         R"({"kind": "environment", "file": "sky.hdr")" + more + "}"),
+                    folder);
+    };
+    const Scene plain = scene(""), turned = scene(R"(, "rotate_deg": 405)"),
+                between = scene(R"(, "rotate_deg": -10)");
+    EXPECT_EQ(turned.environment_turn, 0);
+    EXPECT_NEAR(between.environment_turn, -10 / 360.0, 1e-8);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 8; ++x) {
+            EXPECT_EQ(turned.environment_map[y * 8 + x],
+                      plain.environment_map[y * 8 + (x + 1) % 8]);
+            // The tables belong to the turned map.
+            EXPECT_EQ(turned.environment_column_cdf[y * 9 + x + 1] -
+                              turned.environment_column_cdf[y * 9 + x] >
+                          0.125f,
+                      (x + 1) % 8 >= 4)
+                << x;
+        }
+    EXPECT_EQ(view(between).environment.turn, between.environment_turn);
+}
+
 } // namespace
 } // namespace raylab
