@@ -193,10 +193,16 @@ ExitCode run_bench(BenchOptions options) try {
                                                nlohmann::ordered_json::error_handler_t::replace));
     else
         print(bench, options.folder);
-    for (const SceneResult& scene : bench.scenes)
-        for (const Row& row : scene.rows)
+    bool measured = true; // a scene on which nobody ran is no result
+    for (const SceneResult& scene : bench.scenes) {
+        bool ran = false;
+        for (const Row& row : scene.rows) {
             if (row.failure.empty() && !row.agrees) return ExitCode::judged_failed;
-    return ExitCode::success;
+            ran = ran || row.failure.empty();
+        }
+        measured = measured && ran;
+    }
+    return measured ? ExitCode::success : ExitCode::tool_failed;
 } catch (const AgainstError& error) {
     throw UsageError(error.what());
 }

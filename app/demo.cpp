@@ -119,6 +119,8 @@ Run add_demo(CLI::App& app) {
     app.footer("Examples:\n  raylab demo\n  raylab demo cornell whitted -o out/two");
     return [options] {
         if (options->scenes.empty()) options->scenes = bundled_scenes();
+        if (options->scenes.empty() || labs().empty())
+            throw std::runtime_error("this tree has no scenes or no labs: nothing was judged");
         return run_demo(*options);
     };
 }

@@ -1,6 +1,7 @@
 // raylab: the program behind the script of the same name.
 #include "app/commands.h"
 #include "app/options.h"
+#include "common/cli/own_tree.h"
 #include "common/image/image_file.h"
 #include "common/scene/scene_error.h"
 
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
         app.exit(error);
         return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_usage);
     }
+    expect_own_tree(RAYLAB_PROGRAM_FILE, RAYLAB_ROOT);
     return static_cast<int>(runs.at(app.get_subcommands().front())());
 }
 

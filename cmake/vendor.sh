@@ -23,7 +23,7 @@ while [ $# -gt 0 ]; do
 Examples:
   ./raylab vendor
   ./raylab vendor && rsync -a --exclude build --exclude out ./ cluster:raylab/
-  rm -r third_party build     back to the system's packages
+  rm -r third_party           back to the system's packages
 HELP
             exit 0 ;;
         -o) [ $# -ge 2 ] || fail 2 "-o needs a folder; see ./raylab vendor --help"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 #include <thread>
 
 namespace raylab::app {
@@ -28,26 +29,38 @@ std::vector<std::string> asked_tasks(const LabSheet& sheet, const std::string& t
     return {task};
 }
 
-// The newest change below the lab's folder. Files come and go while an editor saves.
-fs::file_time_type last_change(const fs::path& folder) {
-    fs::file_time_type newest = fs::file_time_type::min();
-    std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; entry != end;
-         entry.increment(error))
-        if (const auto time = entry->last_write_time(error); !error)
-            newest = std::max(newest, time);
-    return newest;
-}
+// The files below a folder and their times, at a moment. Files come and go while an editor saves.
+struct Snapshot {
+    fs::file_time_type taken = fs::file_time_type::clock::now();
+    std::map<fs::path, fs::file_time_type> times;
 
-void wait_for_change(const fs::path& folder, fs::file_time_type since) {
-    while (last_change(folder) <= since)
+    explicit Snapshot(const fs::path& folder) {
+        std::error_code error;
+        for (fs::recursive_directory_iterator entry(folder, error), end; entry != end;
+             entry.increment(error))
+            if (const auto time = entry->last_write_time(error); !error)
+                times[entry->path()] = time;
+    }
+};
+
+// Any other time is a change: a file put back from a copy has the copy's. For Ninja, which looks
+// for later times alone, such a file gets the time of now.
+void wait_for_change(const fs::path& folder, const Snapshot& before) {
+    Snapshot now(folder);
+    for (; now.times == before.times; now = Snapshot(folder))
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::error_code gone_again;
+    for (const auto& [file, time] : now.times) {
+        const auto was = before.times.find(file);
+        if ((was == before.times.end() || was->second != time) && time < before.taken)
+            fs::last_write_time(file, now.taken, gone_again);
+    }
 }
 
 ExitCode run_check(const Tree& tree, const CheckOptions& options) {
     for (;;) {
         const LabSheet sheet = find_lab(tree.root, options.lab);
-        const auto before = last_change(sheet.path());
+        const Snapshot before(sheet.path());
         const CheckReport report = check_tasks(tree, sheet, asked_tasks(sheet, options.task));
         if (options.json)
             fmt::print("{}\n", to_json(report));
@@ -70,7 +83,8 @@ Run add_check(CLI::App& app, const Tree& tree) {
     app.add_flag("--watch", options->watch, "check again whenever a file of the lab changes");
     app.add_flag("--json", options->json, "print a JSON object");
     app.footer("Examples:\n  raylab check 02\n  raylab check 02 2.3 --watch\n"
-               "Exit code 0: all tasks asked for pass; 1: not all, or the lab does not compile.");
+               "Exit code 0: all tasks asked for pass; 1: not all, or the lab does not compile;\n"
+               "3: a test did not run, and nothing is said about the lab.");
     return [options, tree] { return run_check(tree, *options); };
 }
 

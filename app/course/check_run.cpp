@@ -65,10 +65,19 @@ ProcessResult build_target(const Tree& tree, const std::string& target) {
                         }});
 }
 
+// Whether what was said is about the lab's sources, and not about the machine that compiles them.
+bool is_the_labs(const ProcessResult& build, const std::string& errors, const LabSheet& sheet) {
+    if (build.exit_code < 0) return false; // not started, out of time, ended by a signal
+    for (const char* machine : {"No space left on device", "internal compiler error",
+                                "Killed signal terminated", "annot allocate memory"})
+        if (build.output.find(machine) != std::string::npos) return false;
+    return errors.find("labs/" + sheet.folder) != std::string::npos;
+}
+
 } // namespace
 
 bool CheckReport::passed() const {
-    return compiler_errors.empty() &&
+    return compiler_errors.empty() && !results.empty() &&
            std::all_of(results.begin(), results.end(),
                        [](const TaskResult& r) { return r.verdict == Verdict::pass; });
 }
@@ -80,8 +89,7 @@ CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
     report.build_seconds = build.seconds;
     if (!build.succeeded()) {
         report.compiler_errors = compiler_errors(build.output, tree.root);
-        // Errors that do not name a file of the lab are not the student's.
-        if (report.compiler_errors.find("labs/" + sheet.folder) == std::string::npos)
+        if (!is_the_labs(build, report.compiler_errors, sheet))
             throw std::runtime_error(fmt::format("the build failed outside the lab, {}:\n{}",
                                                  why_failed(build), report.compiler_errors));
         return report;

@@ -1,6 +1,7 @@
 // raylab-check: the program behind `raylab check`, `raylab prove` and `raylab release`.
 #include "app/course/commands.h"
 #include "common/cli/files.h"
+#include "common/cli/own_tree.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,12 @@ int main(int argc, char** argv) {
     add("release", app::add_release);
     try {
         cli.parse(argc, argv);
+        expect_own_tree(RAYLAB_PROGRAM_FILE, tree.root);
+        if (const std::string overlay = RAYLAB_LAID_OVER; !overlay.empty())
+            throw std::runtime_error(fmt::format("{} builds the labs in {} instead of this tree's: "
+                                                 "nothing was done; call the script ./raylab, "
+                                                 "which configures anew",
+                                                 tree.build.string(), overlay));
         return static_cast<int>(runs.at(cli.get_subcommands().front())());
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;

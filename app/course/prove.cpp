@@ -56,10 +56,7 @@ std::vector<State> states_of(const LabSheet& sheet, const std::vector<Variation>
 void configure(const Tree& tree, const fs::path& overlay, const fs::path& build) {
     // Warnings about what a stub leaves unused are no errors; -O1 and one variant of each
     // kernel compile faster, and the tests hold for any optimisation and variant.
-    std::vector<std::string> command = {"cmake",
-                                        "-S",
-                                        tree.root.string(),
-                                        "-B",
+    std::vector<std::string> command = {(tree.root / "cmake/configure.sh").string(),
                                         build.string(),
                                         "-G",
                                         "Ninja",
@@ -174,6 +171,9 @@ struct ProveOptions {
 ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     std::vector<std::string> labs = options.labs;
     if (labs.empty()) labs = lab_folders(tree.root);
+    if (labs.empty())
+        throw std::runtime_error(
+            fmt::format("{} has no lab: nothing was proved", tree.root.string()));
     // CMake looks for the labs laid over when it configures: all must be there by then.
     const fs::path overlay = tree.root / "build/proof/overlay";
     const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};

@@ -131,6 +131,9 @@ void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
 ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
     std::vector<std::string> labs = options.labs;
     if (labs.empty()) labs = lab_folders(tree.root);
+    if (labs.empty())
+        throw std::runtime_error(
+            fmt::format("{} has no lab: nothing was released", tree.root.string()));
     std::vector<LabSheet> sheets; // a mistake in any is found before the work begins
     for (const std::string& lab : labs) sheets.push_back(find_lab(tree.root, lab));
     const FolderLock lock(options.folder);

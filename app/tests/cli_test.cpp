@@ -152,6 +152,14 @@ TEST_F(Cli, ImagesOfOneSceneAgreeAndOfAnotherDoNot) {
 
 // The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their
 // own.
+// Its scenes, and its labs, are those of the tree that it was built in.
+TEST_F(Cli, AProgramThatWasCopiedDoesNothing) {
+    fs::copy_file(RAYLAB_PROGRAM, in("raylab"));
+    const Outcome outcome = run_in_shell(in("raylab") + " scenes");
+    EXPECT_EQ(outcome.code, 3) << outcome.text;
+    EXPECT_NE(outcome.text.find("stands there no more"), std::string::npos) << outcome.text;
+}
+
 TEST_F(Cli, SnapshotsAreTheImagesOfShorterRuns) {
     write_scene("s.json");
     const std::string scene = in("s.json");

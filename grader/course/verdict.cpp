@@ -44,10 +44,10 @@ class TemporaryFile {
     std::string path_;
 };
 
-// A test program that is not there is nobody's wrong answer.
-void expect_started(const ProcessResult& result, const fs::path& program) {
-    if (!result.started)
-        throw std::runtime_error(fmt::format("'{}' {}", program.string(), why_failed(result)));
+// A test that did not run is nobody's wrong answer, and nobody's right one.
+[[noreturn]] void did_not_run(const std::string& what, const std::string& why) {
+    throw std::runtime_error(
+        fmt::format("{} did not run: {}; nothing can be said about the lab", what, why));
 }
 
 // The names of the tests that match the filters of a task.
@@ -57,7 +57,7 @@ std::vector<std::string> list_tests(const Task& task, const fs::path& program,
     for (const std::string& filter : task.tests) {
         const ProcessResult listing = run_process(
             {program.string(), "--gtest_list_tests", "--gtest_filter=" + filter}, {30, folder});
-        expect_started(listing, program);
+        if (!listing.succeeded()) did_not_run("'" + program.string() + "'", why_failed(listing));
         std::string suite;
         const std::size_t before = names.size();
         std::istringstream lines(listing.output);
@@ -69,8 +69,8 @@ std::vector<std::string> list_tests(const Task& task, const fs::path& program,
                 suite = line;
         }
         if (names.size() == before)
-            throw CourseError(fmt::format("task {}: no test of {} matches \"{}\"", task.id,
-                                          program.filename().string(), filter));
+            did_not_run("task " + task.id, fmt::format("no test of {} matches \"{}\"",
+                                                       program.filename().string(), filter));
     }
     return names;
 }
@@ -98,27 +98,48 @@ std::string fact_in(std::string failure) {
     return failure;
 }
 
-std::vector<std::string> facts_in(const std::string& report) {
+// What GoogleTest's report says about its one test.
+struct Report {
+    bool completed = false; // it ran to its end
+    std::string result;     // else, if there is a report: "SKIPPED", or "SUPPRESSED" if disabled
     std::vector<std::string> facts;
-    const auto json = nlohmann::json::parse(report, nullptr, false);
-    if (json.is_discarded()) return facts;
+};
+
+Report read_report(const std::string& text) {
+    Report report;
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_discarded()) return report;
     for (const auto& suite : json.at("testsuites"))
-        for (const auto& test : suite.at("testsuite"))
+        for (const auto& test : suite.at("testsuite")) {
+            report.result = test.at("result");
+            report.completed = report.result == "COMPLETED";
             if (test.contains("failures"))
                 for (const auto& failure : test.at("failures"))
-                    facts.push_back(fact_in(failure.at("failure")));
-    return facts;
+                    report.facts.push_back(fact_in(failure.at("failure")));
+        }
+    return report;
 }
 
 TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder) {
-    const TemporaryFile report;
+    const TemporaryFile file;
+    bool began = false; // seen at once: of a long output the beginning is not kept
     const ProcessResult process =
         run_process({program.string(), "--gtest_filter=" + name, "--gtest_color=no",
-                     "--gtest_output=json:" + report.path()},
-                    {test_limit_seconds, folder});
-    expect_started(process, program);
+                     "--gtest_output=json:" + file.path()},
+                    {test_limit_seconds, folder, [&](const std::string& output) {
+                         began = began || output.find("[ RUN      ] " + name) != output.npos;
+                     }});
+    const Report report = read_report(read_file(file.path()));
+    if (!report.completed && !report.result.empty())
+        did_not_run(name, "it was skipped or disabled");
+    // From its first line on a test calls the lab's functions: what ends it early is theirs.
+    if (!began) did_not_run(name, why_failed(process));
+    // In the words of common/simt/check.h.
+    if (process.output.find("no NVIDIA GPU or driver was found") != std::string::npos)
+        did_not_run(name, "no NVIDIA GPU or driver was found on this machine; RAYLAB_PRESET=cpu "
+                          "checks on the CPU machine");
     TestOutcome outcome;
-    outcome.passed = process.succeeded();
+    outcome.passed = process.succeeded() && report.completed;
     outcome.stubs = stubs_met(process.output);
     if (outcome.passed) return outcome;
     if (process.timed_out)
@@ -130,8 +151,14 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
                                      "array, or a recursion that never ends. "
                                      "RAYLAB_PRESET=check ./raylab check names the line",
                                      name, strsignal(process.signal))};
+    else if (!report.completed && process.output.find("] " + name + " (") != std::string::npos)
+        did_not_run(name, "it ended, but its report could not be written: is the disk full?");
+    else if (!report.completed)
+        outcome.facts = {fmt::format("{} ended the program with exit code {} before the test was "
+                                     "over; the likely cause: a call of exit()",
+                                     name, process.exit_code)};
     else
-        outcome.facts = facts_in(read_file(report.path()));
+        outcome.facts = report.facts;
     if (outcome.facts.empty())
         outcome.facts = {fmt::format("{} ended with exit code {}", name, process.exit_code)};
     return outcome;

@@ -32,8 +32,10 @@ struct TaskResult {
 };
 
 // Runs the tests of a task, all from `program`, whose sources are in sheet.root (or a copy of the
-// lab, for which the place of a stub is told all the same). Throws CourseError if a filter of the
-// task finds no test.
+// lab, for which the place of a stub is told all the same). A test passes if it ran to its end and
+// says so itself. Throws std::runtime_error where a test did not run, which tells nothing about the
+// lab: no program, no test that a filter of the task matches, a program that ends before the test
+// begins, a test that skips itself or is disabled, a report that cannot be read, no GPU.
 TaskResult judge_task(const LabSheet& sheet, const Task& task,
                       const std::filesystem::path& program);
 

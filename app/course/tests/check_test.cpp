@@ -52,6 +52,25 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
 
+// Its root is compiled in: from a copied build folder it would judge the tree it was copied from.
+TEST(Check, AProgramThatWasCopiedOrMovedJudgesNothing) {
+    std::string folder = (fs::temp_directory_path() / "raylab copy-XXXXXX").string();
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    const std::string copy = folder + "/raylab-check";
+    fs::copy_file(RAYLAB_CHECK_PROGRAM, copy);
+    // Were it not refused, a lab that is not there would end it.
+    for (const std::string command : {" check 09", " prove 09", " release --labs 09 -o /tmp"}) {
+        const Outcome outcome = run_in_shell("'" + copy + "'" + command);
+        EXPECT_EQ(outcome.code, 3) << outcome.text;
+        EXPECT_NE(outcome.text.find("stands there no more"), std::string::npos) << outcome.text;
+    }
+    // A link leads to the program where it is.
+    fs::remove(copy);
+    fs::create_symlink(RAYLAB_CHECK_PROGRAM, copy);
+    EXPECT_EQ(run_in_shell("'" + copy + "' check 09").code, 2);
+    fs::remove_all(folder);
+}
+
 TEST(Check, TheSolutionsPass) {
     expect("check 01", 0, {"PASS", "1.6", "100 of 100 points"});
     expect("check 02 2.6 --json", 0, {"\"verdict\": \"PASS\"", "\"passed\": true"});

@@ -3,6 +3,7 @@
 #include "common/task/not_implemented.h"
 
 #include <csignal>
+#include <cstdlib>
 
 namespace raylab {
 
@@ -31,6 +32,28 @@ TEST(Needing, One) {
 }
 
 TEST(Crashing, One) { std::raise(SIGSEGV); }
+
+TEST(Leaving, One) { std::exit(0); }
+
+TEST(Skipping, One) { GTEST_SKIP() << "not here"; }
+
+TEST(Disabled, DISABLED_One) {}
+
+TEST(WithoutGpu, One) {
+    task::expect(false, "launch failed\nno NVIDIA GPU or driver was found on this machine");
+}
+
+TEST(Talking, One) {
+    for (int i = 0; i < 1000; ++i) std::fputs(std::string(10000, '.').c_str(), stdout);
+}
+
+// Before any test begins.
+const bool ended = [] {
+    const char* how = std::getenv("RAYLAB_FAKE_LAB_ENDS");
+    if (how && *how == '0') std::exit(0);
+    if (how) std::raise(SIGSEGV);
+    return false;
+}();
 
 TEST(Throwing, One) { throw std::runtime_error("no such scene"); }
 

@@ -83,8 +83,28 @@ TEST_F(Verdicts, AMissingTestProgramIsNobodysWrongAnswer) {
     EXPECT_THROW(judge_task(lab, lab.tasks.front(), root / "not-built"), std::runtime_error);
 }
 
-TEST_F(Verdicts, AFilterWithoutTestsIsAMistakeOfTheSheet) {
-    EXPECT_THROW(judge("7.9", "None.*"), CourseError);
+// Whatever a program's exit code is: what did not run gives no points, and is nobody's mistake.
+TEST_F(Verdicts, WhatDidNotRunIsNotJudged) {
+    for (const char* filter : {"None.*", "Skipping.*", "Disabled.*", "WithoutGpu.*"})
+        EXPECT_THROW(judge("7.9", filter), std::runtime_error) << filter;
+}
+
+TEST_F(Verdicts, AProgramThatEndsBeforeItsTestsIsNotJudged) {
+    for (const char* how : {"0", "by a signal"}) {
+        setenv("RAYLAB_FAKE_LAB_ENDS", how, 1);
+        EXPECT_THROW(judge("7.9", "Right.*"), std::runtime_error) << how;
+    }
+    unsetenv("RAYLAB_FAKE_LAB_ENDS");
+}
+
+TEST_F(Verdicts, EndingTheProgramWithinATestPassesNothing) {
+    const TaskResult result = judge("7.9", "Leaving.*");
+    EXPECT_EQ(result.verdict, Verdict::wrong);
+    EXPECT_NE(result.facts.at(0).find("exit()"), std::string::npos) << result.facts[0];
+}
+
+TEST_F(Verdicts, MegabytesOfOutputChangeNothing) {
+    EXPECT_EQ(judge("7.9", "Talking.*").verdict, Verdict::pass);
 }
 
 } // namespace
