@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raylab {
 
@@ -27,8 +28,9 @@ bool is_png(std::string_view bytes);
 bool is_hdr(std::string_view bytes);
 
 // PNG of every kind: 1 to 16 bits, grey, palette, interlaced. Values are sRGB whatever the file's
-// colour chunks say; transparency is left out. Throws DecodeError, also for a wrong check sum.
-Image decode_png(std::string_view bytes, PictureLimits limits);
+// colour chunks say; colours are not multiplied by alpha, which goes to `alpha` if it is wanted and
+// anywhere below 1, pixel by pixel. Throws DecodeError, also for a wrong check sum.
+Image decode_png(std::string_view bytes, PictureLimits limits, std::vector<float>* alpha = nullptr);
 
 // Radiance HDR: RGBE or XYZE, packed in the old way, the new one or not at all, in any of the eight
 // orientations; radiance as it was before EXPOSURE and COLORCORR. Throws DecodeError.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <spng.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -32,15 +33,21 @@ std::vector<float> linear_values(int bits) {
     return values;
 }
 
-// Decodes into `channels` samples a pixel, of which the first three are R, G, B.
+// Decodes into R, G, B, A samples.
 template <class Sample>
-void decode(spng_ctx* decoder, int format, std::size_t channels, Image& image) {
+void decode(spng_ctx* decoder, int format, Image& image, std::vector<float>* alpha) {
+    constexpr std::size_t channels = 4;
+    constexpr Sample opaque = std::numeric_limits<Sample>::max();
     std::vector<Sample> samples(image.pixels() * channels);
-    check(spng_decode_image(decoder, samples.data(), samples.size() * sizeof(Sample), format, 0));
+    check(spng_decode_image(decoder, samples.data(), samples.size() * sizeof(Sample), format,
+                            SPNG_DECODE_TRNS));
     const std::vector<float> linear = linear_values(8 * sizeof(Sample));
     for (std::size_t i = 0; i < image.pixels(); ++i) {
         const Sample* rgb = &samples[i * channels];
         image.mean[i] = Vec3(linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]);
+        if (!alpha) continue;
+        if (rgb[3] < opaque && alpha->empty()) alpha->assign(image.pixels(), 1);
+        if (!alpha->empty()) (*alpha)[i] = float(rgb[3]) / float(opaque);
     }
 }
 
@@ -48,7 +55,7 @@ void decode(spng_ctx* decoder, int format, std::size_t channels, Image& image) {
 
 bool is_png(std::string_view bytes) { return bytes.starts_with(signature); }
 
-Image decode_png(std::string_view bytes, PictureLimits limits) {
+Image decode_png(std::string_view bytes, PictureLimits limits, std::vector<float>* alpha) {
     const Decoder decoder(spng_ctx_new(0), spng_ctx_free);
     if (!decoder) throw std::bad_alloc();
     check(spng_set_crc_action(decoder.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR));
@@ -64,9 +71,9 @@ Image decode_png(std::string_view bytes, PictureLimits limits) {
     image.height = int(header.height);
     image.mean.resize(image.pixels());
     if (header.bit_depth == 16)
-        decode<std::uint16_t>(decoder.get(), SPNG_FMT_RGBA16, 4, image);
+        decode<std::uint16_t>(decoder.get(), SPNG_FMT_RGBA16, image, alpha);
     else
-        decode<std::uint8_t>(decoder.get(), SPNG_FMT_RGB8, 3, image);
+        decode<std::uint8_t>(decoder.get(), SPNG_FMT_RGBA8, image, alpha);
     check(spng_decode_chunks(decoder.get())); // up to the last one
     return image;
 }

@@ -1,291 +1,291 @@
-// glTF 2.0 and GLB by tinygltf: the triangles of the default scene, each node's transform applied,
-// with the base colours of their materials. glTF 2.0 specification, sections 3.5 to 3.9.
-#include "common/scene/gltf_data.h"
-#include "common/scene/mesh.h"
+// glTF 2.0 and GLB by tinygltf: the triangles of the file's scene in the rest pose, with their
+// materials and point lights. docs/formats.md says what is read, warned of and refused.
+#include "common/scene/gltf_check.h"
+#include "common/scene/gltf_look.h"
+#include "common/scene/gltf_pose.h"
+#include "common/scene/gltf_vertices.h"
 #include "common/scene/scene_builder.h"
 #include "common/scene/scene_error.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
 namespace raylab {
 namespace {
 
-Transform transform_of(const tinygltf::Node& node) {
-    Transform transform;
-    if (node.matrix.size() == 16) { // column by column
-        for (int column = 0; column < 3; ++column)
-            for (int row = 0; row < 3; ++row)
-                transform.linear[column][row] = node.matrix[column * 4 + row];
-        transform.translation = DVec3(node.matrix[12], node.matrix[13], node.matrix[14]);
-        return transform;
-    }
-    if (node.rotation.size() == 4) {
-        const DVec3 v(node.rotation[0], node.rotation[1], node.rotation[2]);
-        const double w = node.rotation[3], sine = std::sqrt(dot(v, v)); // of half the angle
-        if (sine > 0) transform.linear = rotation(v / sine, 2 * std::atan2(sine, w));
-    }
-    if (node.scale.size() == 3)
-        for (int axis = 0; axis < 3; ++axis) transform.linear[axis] *= node.scale[axis];
-    if (node.translation.size() == 3)
-        transform.translation =
-            DVec3(node.translation[0], node.translation[1], node.translation[2]);
-    return transform;
-}
-
 class GltfReader {
   public:
-    GltfReader(const GltfFile& file, const std::string& name, const ReadNamedFile& read)
-        : file_(file), model_(file.model), name_(name), read_(read) {}
+    GltfReader(const GltfFile& file, const std::string& name, const ReadNamedFile& read,
+               MeshLook look)
+        : file_(file), model_(file.model), name_(name), nodes_(file) {
+        if (look == MeshLook::own) look_.emplace(file, name, read, losses_);
+    }
 
     Mesh read() {
-        visited_.assign(model_.nodes.size(), false);
-        picture_of_image_.assign(model_.images.size(), -1);
-        for (int i = 0; i < int(model_.materials.size()); ++i) read_material(i);
-        read_nodes();
+        const auto json = file_.root.find("nodes");
+        const std::vector<Node> nodes = json ? json->elements() : std::vector<Node>{};
+        for (const int index : nodes_.order) {
+            const tinygltf::Node& node = model_.nodes[index];
+            if (node.mesh >= int(model_.meshes.size()))
+                nodes[index].fail(fmt::format("mesh {} does not exist; the file has {}", node.mesh,
+                                              model_.meshes.size()));
+            if (node.mesh >= 0) read_mesh(node, nodes[index], *nodes_.to_world[index]);
+            read_light(nodes[index], *nodes_.to_world[index]);
+        }
         if (mesh_.triangles.empty())
             throw SceneError(name_ + ": expected triangles in its scene, found none");
+        if (look_) look_->finish(mesh_);
+        note_other_losses();
+        if (const std::string lost = losses_.sentence(name_); !lost.empty())
+            mesh_.warnings.push_back(lost);
         return std::move(mesh_);
     }
 
   private:
-    void read_material(int index) {
-        const tinygltf::Material& material = model_.materials[index];
-        const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
-        MeshMaterial result{material.name, Vec3(1), -1};
-        if (pbr.baseColorFactor.size() >= 3)
-            for (int i = 0; i < 3; ++i) {
-                if (!(pbr.baseColorFactor[i] >= 0 && pbr.baseColorFactor[i] <= 1))
-                    file_.json("materials", index)
-                        .fail("expected a baseColorFactor of numbers from 0 to 1");
-                result.reflectance[i] = float(pbr.baseColorFactor[i]);
+    // One triangle of a primitive, before it is placed.
+    struct Part {
+        std::array<int, 3> corner;
+        int material;
+        std::vector<Piece> pieces; // none: the whole
+    };
+
+    void read_mesh(const tinygltf::Node& node, const Node& json, const Transform& to_world) {
+        std::vector<Transform> instances = instances_of(file_, json, to_world);
+        std::vector<Transform> joints;
+        if (node.skin >= 0) {
+            if (node.skin >= count_of("skins"))
+                json.fail(fmt::format("skin {} does not exist; the file has {}", node.skin,
+                                      count_of("skins")));
+            joints = joints_of(file_, nodes_, node.skin);
+        }
+        const tinygltf::Mesh& mesh = model_.meshes[node.mesh];
+        const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            const int mode = primitive.mode;
+            if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+                mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+                losses_.add("points and lines, which have no surface", "primitive");
+                continue;
             }
-        if (const int texture = pbr.baseColorTexture.index; texture >= 0) {
-            const bool known = texture < int(model_.textures.size());
-            const int image = known ? model_.textures[texture].source : -1;
-            if (image < 0 || image >= int(model_.images.size()))
-                file_.json("materials", index)
-                    .fail(fmt::format("the baseColorTexture {} does not exist or has no image",
-                                      texture));
-            result.picture = picture_of(image);
-        }
-        mesh_.materials.push_back(result);
-    }
-
-    int picture_of(int index) {
-        int& picture = picture_of_image_[index];
-        if (picture >= 0) return picture;
-        const tinygltf::Image& image = model_.images[index];
-        const std::string name = fmt::format("{}: image {}", name_, index);
-        if (image.bufferView >= 0) {
-            mesh_.pictures.push_back(decode_picture(view_bytes(file_, image.bufferView), name));
-        } else if (!image.uri.empty()) {
-            mesh_.pictures.push_back(decode_picture(read_(image.uri), image.uri));
-        } else {
-            const std::string_view bytes(reinterpret_cast<const char*>(image.image.data()),
-                                         image.image.size());
-            mesh_.pictures.push_back(decode_picture(bytes, name));
-        }
-        return picture = int(mesh_.pictures.size()) - 1;
-    }
-
-    // The nodes of the default scene, or of the first, or all that are nobody's children.
-    std::vector<int> roots() const {
-        const int scene = model_.defaultScene < 0 ? 0 : model_.defaultScene;
-        if (scene < int(model_.scenes.size())) return model_.scenes[scene].nodes;
-        if (!model_.scenes.empty() || model_.defaultScene > 0)
-            file_.root.fail(fmt::format("scene {} does not exist; the file has {}", scene,
-                                        model_.scenes.size()));
-        std::vector<bool> is_child(model_.nodes.size(), false);
-        for (const tinygltf::Node& node : model_.nodes)
-            for (const int child : node.children)
-                if (child >= 0 && child < int(is_child.size())) is_child[child] = true;
-        std::vector<int> roots;
-        for (int i = 0; i < int(is_child.size()); ++i)
-            if (!is_child[i]) roots.push_back(i);
-        return roots;
-    }
-
-    // Depth first, in file order; a stack of our own, since a file may nest nodes as deep as it
-    // likes.
-    void read_nodes() {
-        struct Visit {
-            int node;
-            Transform parent;
-        };
-        std::vector<Visit> stack;
-        const auto push = [&](const std::vector<int>& nodes, const Transform& parent) {
-            for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-                stack.push_back({*node, parent});
-        };
-        push(roots(), {});
-        while (!stack.empty()) {
-            const Visit visit = stack.back();
-            stack.pop_back();
-            if (visit.node < 0 || visit.node >= int(model_.nodes.size()))
-                file_.root.at("nodes").fail(fmt::format("node {} does not exist; the file has {}",
-                                                        visit.node, model_.nodes.size()));
-            if (visited_[visit.node])
-                file_.json("nodes", visit.node)
-                    .fail("this node is the child of two nodes or of itself; "
-                          "nodes must form a tree");
-            visited_[visit.node] = true;
-            const tinygltf::Node& node = model_.nodes[visit.node];
-            const Transform to_world = visit.parent * transform_of(node);
-            if (node.mesh >= int(model_.meshes.size()))
-                file_.json("nodes", visit.node)
-                    .fail(fmt::format("mesh {} does not exist; the file has {}", node.mesh,
-                                      model_.meshes.size()));
-            if (node.mesh >= 0)
-                for (const tinygltf::Primitive& primitive : model_.meshes[node.mesh].primitives)
-                    read_primitive(primitive, node.mesh, to_world);
-            push(node.children, to_world);
+            check_material(primitive, node.mesh);
+            const GltfVertices vertices = read_gltf_vertices(file_, node.mesh, primitive, weights,
+                                                             uv_sets(primitive), losses_);
+            const std::vector<Part> parts = look_at(primitive, vertices);
+            const std::vector<Transform> bound =
+                joints.empty() ? std::vector<Transform>{}
+                               : read_gltf_binding(file_, node.mesh, primitive,
+                                                   int(vertices.positions.size()), joints);
+            if (!bound.empty()) { // a bound mesh stands where its joints do (section 3.7.3.3)
+                place(vertices, parts, primitive.material, node.mesh,
+                      [&](int vertex) -> const Transform& { return bound[vertex]; });
+                continue;
+            }
+            for (const Transform& instance : instances)
+                place(vertices, parts, primitive.material, node.mesh,
+                      [&](int) -> const Transform& { return instance; });
         }
     }
 
-    void read_primitive(const tinygltf::Primitive& primitive, int mesh, const Transform& to_world) {
-        const int mode = primitive.mode;
-        if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
-            mode != TINYGLTF_MODE_TRIANGLE_FAN)
-            return mesh_.warnings.push_back(fmt::format(
-                "{}: points and lines of mesh {} have no surface and are left out", name_, mesh));
+    void check_material(const tinygltf::Primitive& primitive, int mesh) {
         const int material = primitive.material;
-        if (material >= int(model_.materials.size()))
+        if (material < -1 || material >= count_of("materials"))
             fail_in_mesh(mesh, fmt::format("material {} does not exist; the file has {}", material,
-                                           model_.materials.size()));
+                                           count_of("materials")));
+    }
 
-        const auto positions = attribute(primitive, "POSITION", 3, mesh);
-        if (!positions) fail_in_mesh(mesh, "expected an attribute POSITION, found none");
-        const auto normals = attribute(primitive, "NORMAL", 3, mesh);
-        const int set =
-            material < 0
-                ? 0
-                : model_.materials[material].pbrMetallicRoughness.baseColorTexture.texCoord;
-        const auto uvs = attribute(primitive, fmt::format("TEXCOORD_{}", set), 2, mesh);
-        for (const auto* other : {&normals, &uvs})
-            if (*other && (*other)->count() != positions->count())
-                fail_in_mesh(
-                    mesh,
-                    fmt::format(
-                        "expected as many normals and texture coordinates as positions, found "
-                        "{} and {}",
-                        (*other)->count(), positions->count()));
+    // Of the texture coordinates, those that matter.
+    std::set<int> uv_sets(const tinygltf::Primitive& primitive) {
+        if (!look_) return {0};
+        const GltfMaterial& m = look_->material(primitive.material);
+        std::set<int> sets{m.base_texture.uv_set};
+        for (const GltfTexture* texture : {&m.metallic_roughness_texture, &m.emissive_texture})
+            if (texture->exists()) sets.insert(texture->uv_set);
+        return sets;
+    }
 
-        const int base = int(mesh_.positions.size());
-        const std::vector<int> corners = indices(primitive, positions->count(), mesh);
-        if (mesh_.positions.size() + std::size_t(positions->count()) > max_triangles ||
-            mesh_.triangles.size() + corners.size() > max_triangles)
-            fail_in_mesh(
-                mesh, fmt::format(
-                          "the file has more than {} triangles or vertices, nodes expanded; use a "
-                          "smaller mesh",
-                          max_triangles));
-        const int base_normal = int(mesh_.normals.size()), base_uv = int(mesh_.uvs.size());
-        const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(to_world.linear));
-        for (int i = 0; i < positions->count(); ++i) {
-            mesh_.positions.push_back(to_world.point(positions->vec3(i)));
-            if (normals) mesh_.normals.push_back(normal_matrix * normals->vec3(i));
-            if (uvs)
-                mesh_.uvs.emplace_back(uvs->vec2(i).x, 1 - uvs->vec2(i).y); // glTF's v points down
-        }
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-            MeshTriangle triangle;
-            triangle.material = material;
-            for (int k = 0; k < 3; ++k) { // a mirrored node turns its triangles over
-                const int corner =
-                    corners[i + std::size_t(k > 0 && to_world.mirrors() ? 3 - k : k)];
-                triangle.position[k] = base + corner;
-                if (normals) triangle.normal[k] = base_normal + corner;
-                if (uvs) triangle.uv[k] = base_uv + corner;
+    // The triangles with their materials, as far as they are not cut out.
+    std::vector<Part> look_at(const tinygltf::Primitive& primitive, const GltfVertices& vertices) {
+        const int material = primitive.material;
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i + 2 < vertices.corners.size(); i += 3) {
+            Part part{
+                {vertices.corners[i], vertices.corners[i + 1], vertices.corners[i + 2]}, -1, {}};
+            if (look_) {
+                const auto uv_of = [&](const GltfTexture& texture) {
+                    std::array<Vec2, 3> uv{};
+                    if (const auto set = vertices.uvs.find(texture.uv_set);
+                        set != vertices.uvs.end())
+                        for (int k = 0; k < 3; ++k) uv[k] = set->second[part.corner[k]];
+                    return uv;
+                };
+                if (look_->material(material).alpha_cutoff > 0) {
+                    part.pieces =
+                        look_->pieces(material, uv_of(look_->material(material).base_texture));
+                    if (part.pieces.empty()) continue;
+                    if (part.pieces[0] == whole_triangle) part.pieces.clear();
+                }
+                part.material = look_->material_of_triangle(material, uv_of);
             }
-            mesh_.triangles.push_back(triangle);
+            parts.push_back(std::move(part));
         }
+        return parts;
+    }
+
+    template <class TransformOf>
+    void place(const GltfVertices& vertices, const std::vector<Part>& parts, int material, int mesh,
+               TransformOf&& transform_of) {
+        std::size_t pieces = 0;
+        for (const Part& part : parts) pieces += std::max<std::size_t>(1, part.pieces.size());
+        if (mesh_.positions.size() + vertices.positions.size() > max_triangles ||
+            mesh_.triangles.size() + pieces > max_triangles)
+            fail_in_mesh(mesh,
+                         fmt::format("the file has more than {} triangles or vertices, nodes and "
+                                     "instances expanded; use a smaller mesh",
+                                     max_triangles));
+        const GltfTexture texture = look_ ? look_->material(material).base_texture : GltfTexture{};
+        const auto uvs = vertices.uvs.find(texture.uv_set);
+        const bool has_normals = !vertices.normals.empty(), has_uvs = uvs != vertices.uvs.end(),
+                   has_colours = look_ && !vertices.colours.empty();
+        const int base = int(mesh_.positions.size()), base_normal = int(mesh_.normals.size()),
+                  base_uv = int(mesh_.uvs.size()), base_colour = int(mesh_.colours.size());
+        for (int i = 0; i < int(vertices.positions.size()); ++i) {
+            const Transform& to_world = transform_of(i);
+            mesh_.positions.push_back(to_world.point(vertices.positions[i]));
+            if (has_normals) mesh_.normals.push_back(to_world.normal(vertices.normals[i]));
+            if (has_uvs) {
+                const Vec2 uv = texture.transform(uvs->second[i]);
+                if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+                    fail_in_mesh(mesh, "a texture transform takes texture coordinates beyond "
+                                       "single precision (3.4e38)");
+                mesh_.uvs.emplace_back(uv.x, 1 - uv.y); // glTF's v points down
+            }
+            if (has_colours) mesh_.colours.push_back(vertices.colours[i]);
+        }
+        for (const Part& part : parts) {
+            MeshTriangle whole;
+            whole.material = part.material;
+            const bool turn = transform_of(part.corner[0]).mirrors(); // it turns triangles over
+            for (int k = 0; k < 3; ++k) {
+                const int corner = part.corner[k > 0 && turn ? 3 - k : k];
+                whole.position[k] = base + corner;
+                if (has_normals) whole.normal[k] = base_normal + corner;
+                if (has_uvs) whole.uv[k] = base_uv + corner;
+                if (has_colours) whole.colour[k] = base_colour + corner;
+            }
+            if (part.pieces.empty()) mesh_.triangles.push_back(whole);
+            for (Piece piece : part.pieces) {
+                if (turn) // corners 1 and 2 have changed places, and so must the piece's
+                    for (Vec3& b : piece) std::swap(b.y, b.z);
+                if (turn) std::swap(piece[1], piece[2]);
+                mesh_.triangles.push_back(cut(whole, piece));
+            }
+        }
+    }
+
+    // A piece of a triangle of the mesh, with vertices of its own.
+    MeshTriangle cut(const MeshTriangle& whole, const Piece& piece) {
+        const auto interpolate = [&](auto& values, const std::array<int, 3>& of,
+                                     std::array<int, 3>& to) {
+            if (of[0] < 0) return;
+            for (int k = 0; k < 3; ++k) {
+                using T = std::decay_t<decltype(values[0])>;
+                using Number = typename T::value_type;
+                T sum(0);
+                for (int c = 0; c < 3; ++c) sum += Number(piece[k][c]) * values[of[c]];
+                to[k] = int(values.size());
+                values.push_back(sum);
+            }
+        };
+        MeshTriangle part = whole;
+        interpolate(mesh_.positions, whole.position, part.position);
+        interpolate(mesh_.normals, whole.normal, part.normal);
+        interpolate(mesh_.uvs, whole.uv, part.uv);
+        interpolate(mesh_.colours, whole.colour, part.colour);
+        return part;
+    }
+
+    // KHR_lights_punctual.
+    void read_light(const Node& node, const Transform& to_world) {
+        const auto of_node = node.find("extensions");
+        const auto named = of_node ? of_node->find("KHR_lights_punctual") : std::nullopt;
+        if (!named) return;
+        const auto of_file = file_.root.find("extensions");
+        const auto extension = of_file ? of_file->find("KHR_lights_punctual") : std::nullopt;
+        const std::vector<Node> lights =
+            extension ? extension->at("lights").elements() : std::vector<Node>{};
+        const Node index = named->at("light");
+        if (index.integer() < 0 || index.integer() >= int(lights.size()))
+            index.fail(fmt::format("light {} does not exist; the file has {}", index.integer(),
+                                   lights.size()));
+        const Node light = lights[std::size_t(index.integer())];
+        const std::string type = light.at("type").word({"point", "spot", "directional"});
+        if (type != "point") return losses_.add(type + " lights", "node");
+        if (light.has("range")) losses_.add("ranges of lights", "node");
+        const Vec3 colour = light.has("color") ? light.at("color").rgb() : Vec3(1);
+        const double intensity = light.has("intensity") ? light.at("intensity").not_negative() : 1;
+        mesh_.lights.push_back({to_world.translation, float(intensity) * colour});
+        if (!is_finite(mesh_.lights.back().intensity))
+            light.fail("expected an intensity of at most 3.4e38 (single precision) in each colour");
+    }
+
+    void note_other_losses() {
+        if (const auto animations = file_.root.find("animations"))
+            for (std::size_t i = 0; i < animations->elements().size(); ++i)
+                losses_.add("animations: everything is in its rest pose", "animation");
+        const auto used = file_.root.find("extensionsUsed");
+        if (!used) return;
+        static constexpr std::array read{"KHR_mesh_quantization", "KHR_texture_transform",
+                                         "KHR_lights_punctual", "EXT_mesh_gpu_instancing"};
+        for (const Node& extension : used->elements()) {
+            const std::string name = extension.string();
+            // Materials have counted their own; metadata is no loss.
+            if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_xmp") &&
+                std::find(read.begin(), read.end(), name) == read.end())
+                losses_.add(name, "extension");
+        }
+    }
+
+    // Of a top-level array.
+    int count_of(const std::string& array) {
+        const auto [count, is_new] = counts_.try_emplace(array, 0);
+        if (!is_new) return count->second;
+        const auto node = file_.root.find(array);
+        return count->second = node ? int(node->elements().size()) : 0;
     }
 
     [[noreturn]] void fail_in_mesh(int mesh, const std::string& what) const {
         file_.json("meshes", mesh).fail(what);
     }
 
-    std::optional<GltfElements> attribute(const tinygltf::Primitive& primitive,
-                                          const std::string& name, int components, int mesh) const {
-        const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end()) return std::nullopt;
-        const GltfElements elements = accessor(found->second, name, mesh);
-        if (elements.components() != components)
-            fail_in_mesh(mesh, fmt::format("expected {} of {} components, found {}", name,
-                                           components, elements.components()));
-        return elements;
-    }
-
-    GltfElements accessor(int index, const std::string& of, int mesh) const {
-        if (index < 0 || index >= int(model_.accessors.size()))
-            fail_in_mesh(mesh, fmt::format("the accessor {} of {} does not exist; the file has {}",
-                                           index, of, model_.accessors.size()));
-        return GltfElements(file_, index);
-    }
-
-    // Three vertices per triangle, from a list, a strip or a fan, indexed or not.
-    std::vector<int> indices(const tinygltf::Primitive& primitive, int vertices, int mesh) const {
-        std::vector<int> list;
-        if (primitive.indices < 0) {
-            for (int i = 0; i < vertices; ++i) list.push_back(i);
-        } else {
-            const GltfElements elements = accessor(primitive.indices, "indices", mesh);
-            if (elements.components() != 1 || !elements.is_unsigned_integer())
-                file_.json("accessors", primitive.indices)
-                    .fail("expected indices of type SCALAR with an "
-                          "unsigned integer componentType");
-            for (int i = 0; i < elements.count(); ++i) {
-                const double index = elements(i, 0);
-                if (index >= vertices)
-                    file_.json("accessors", primitive.indices)
-                        .fail(fmt::format(
-                            "index {} is {}, but the primitive has {} vertices; the file is "
-                            "damaged, export it again",
-                            i, index, vertices));
-                list.push_back(int(index));
-            }
-        }
-        if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
-            if (list.size() % 3 != 0)
-                fail_in_mesh(mesh,
-                             fmt::format("expected three vertices per triangle, found {} in all",
-                                         list.size()));
-            return list;
-        }
-        std::vector<int> triangles;
-        const bool fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
-        for (std::size_t i = 0; i + 2 < list.size(); ++i) {
-            // A strip's odd triangles list their vertices the other way round (section 3.7.2.1).
-            const std::size_t odd = i & 1;
-            if (fan) triangles.insert(triangles.end(), {list[i + 1], list[i + 2], list[0]});
-            if (!fan)
-                triangles.insert(triangles.end(), {list[i], list[i + 1 + odd], list[i + 2 - odd]});
-        }
-        return triangles;
-    }
-
     const GltfFile& file_;
     const tinygltf::Model& model_;
     const std::string& name_;
-    const ReadNamedFile& read_;
+    GltfNodes nodes_;
+    GltfLosses losses_;
+    std::map<std::string, int> counts_;
+    std::optional<GltfLook> look_; // nothing: geometry alone
     Mesh mesh_;
-    std::vector<bool> visited_;
-    std::vector<int> picture_of_image_;
 };
 
 } // namespace
 
-Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read) {
+Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
+                MeshLook look) {
     const bool binary = bytes.starts_with("glTF");
     const std::string_view text = binary ? json_chunk(bytes, name) : bytes;
     const JsonDocument document = parse_json(text, binary ? name + " (its JSON chunk)" : name);
     const Node root(document);
-    root.at("asset").at("version").string();
+    check_version(root);
     check_extensions(root);
     check_buffer_views(root);
     const tinygltf::Model model = load_model(bytes, binary, name, read);
     const GltfFile file{model, root};
-    return GltfReader(file, name, read).read();
+    return GltfReader(file, name, read, look).read();
 }
 
 } // namespace raylab

@@ -1,27 +1,19 @@
 // Typed access to the bytes of a glTF file, every access within bounds that were checked before.
-// glTF 2.0 specification, sections 3.6 (Binary Data Storage) and 4.4 (GLB).
+// glTF 2.0 specification, section 3.6 (Binary Data Storage).
 #pragma once
 
 #include "common/scene/mesh.h"
 #include "common/scene/node.h"
 #include "common/scene/tinygltf.h"
 
+#include <memory>
 #include <string_view>
+#include <vector>
 
 namespace raylab {
 
-// The JSON text within a GLB file. Throws SceneError unless its chunks fill the file exactly.
-std::string_view json_chunk(std::string_view glb, const std::string& name);
-
-// Throws SceneError unless each buffer view lies within its buffer, as the JSON declares it.
-// Before the library runs, which does not check the views that images use.
-void check_buffer_views(const Node& root);
-
-// Throws SceneError if the file requires an extension that changes geometry or encoding. Those of
-// materials change only the look.
-void check_extensions(const Node& root);
-
-// The file as the library reads it, images still encoded (Image::image, or their view).
+// Buffers, views, accessors, meshes and nodes as the library reads them. It is not shown the rest,
+// which raylab reads from the JSON itself (materials, images, skins), where errors have a place.
 tinygltf::Model load_model(std::string_view bytes, bool binary, const std::string& name,
                            const ReadNamedFile& read);
 
@@ -37,8 +29,11 @@ struct GltfFile {
 // What one accessor reads: `count` elements of `components` numbers.
 class GltfElements {
   public:
-    // Throws SceneError unless all elements lie within the accessor's view.
+    // Sparse or not. Throws SceneError unless all elements lie within the accessor's view.
     GltfElements(const GltfFile& file, int accessor);
+
+    // Throws SceneError at the accessor for a number that is not finite in a `what` ("normal").
+    void expect_finite(const GltfFile& file, const std::string& what) const;
 
     int count() const { return count_; }
     int components() const { return components_; }
@@ -48,12 +43,18 @@ class GltfElements {
     double operator()(int element, int component) const;
     DVec3 vec3(int element) const;
     Vec2 vec2(int element) const;
+    glm::dmat4 mat4(int element) const;
 
   private:
-    const unsigned char* data_;
-    std::size_t stride_;
-    int count_, components_, component_type_;
+    const unsigned char* bytes_of(const GltfFile& file, int view, std::size_t offset,
+                                  std::size_t count, std::size_t size, std::size_t stride) const;
+
+    int index_; // of the accessor
+    const unsigned char* data_ = nullptr;
+    std::size_t stride_ = 0;
+    int count_ = 0, components_, component_type_;
     bool normalized_;
+    std::shared_ptr<const std::vector<unsigned char>> own_; // of a sparse accessor
 };
 
 // The bytes of a buffer view (an embedded image).

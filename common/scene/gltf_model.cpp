@@ -1,16 +1,13 @@
-// tinygltf at work: no decoding of images, no files but through the caller.
+// tinygltf at work: the arrays of numbers and the nodes, no images, no files but through the
+// caller.
+#include "common/scene/gltf_check.h"
 #include "common/scene/gltf_data.h"
 #include "common/scene/scene_error.h"
 
+#include <nlohmann/json.hpp>
+
 namespace raylab {
 namespace {
-
-// The library hands us an image's encoded bytes; we keep them, and decode those that are used.
-bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-    return true;
-}
 
 tinygltf::FsCallbacks reading_by(const ReadNamedFile& read) {
     return {
@@ -24,42 +21,63 @@ tinygltf::FsCallbacks reading_by(const ReadNamedFile& read) {
         nullptr, const_cast<ReadNamedFile*>(&read)};
 }
 
-} // namespace
-
-void check_extensions(const Node& root) {
-    const auto required = root.find("extensionsRequired");
-    if (!required) return;
-    for (const Node& extension : required->elements()) {
-        const std::string name = extension.string();
-        if (!name.starts_with("KHR_materials_") && name != "KHR_mesh_quantization")
-            extension.fail("the extension " + quote(name) +
-                           " is not supported; export the mesh without it");
-    }
+// The library stops at the first thing that it does not expect, a skin without joints say, with
+// words that tell nobody where: it gets only what it is needed for.
+std::string part_for_the_library(std::string_view json) {
+    const nlohmann::json whole = nlohmann::json::parse(json);
+    nlohmann::json part;
+    for (const char* key :
+         {"asset", "buffers", "bufferViews", "accessors", "meshes", "nodes", "scene", "scenes"})
+        if (const auto found = whole.find(key); found != whole.end()) part[key] = *found;
+    return part.dump();
 }
+
+void append_word(std::string& bytes, std::size_t value) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += char(value >> shift & 255);
+}
+
+// The GLB file with another text in its JSON chunk.
+std::string with_json(std::string_view glb, std::string_view old_json, std::string json) {
+    while (json.size() % 4 != 0) json += ' ';
+    const std::string_view rest = glb.substr(20 + old_json.size());
+    std::string bytes = "glTF";
+    append_word(bytes, 2);
+    append_word(bytes, 20 + json.size() + rest.size());
+    append_word(bytes, json.size());
+    return bytes.append("JSON").append(json).append(rest);
+}
+
+} // namespace
 
 tinygltf::Model load_model(std::string_view bytes, bool binary, const std::string& name,
                            const ReadNamedFile& read) {
     tinygltf::TinyGLTF library;
-    library.SetImageLoader(keep_image, nullptr);
     library.SetFsCallbacks(reading_by(read));
     tinygltf::Model model;
     std::string error, warning;
     bool loaded = false;
     try {
+        const std::string_view json = binary ? json_chunk(bytes, name) : bytes;
+        const std::string part = part_for_the_library(json);
         if (binary) {
-            const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-            loaded = library.LoadBinaryFromMemory(&model, &error, &warning, data,
-                                                  unsigned(bytes.size()));
+            const std::string glb = with_json(bytes, json, part);
+            loaded = library.LoadBinaryFromMemory(
+                &model, &error, &warning, reinterpret_cast<const unsigned char*>(glb.data()),
+                unsigned(glb.size()));
         } else {
-            loaded = library.LoadASCIIFromString(&model, &error, &warning, bytes.data(),
-                                                 unsigned(bytes.size()), "");
+            loaded = library.LoadASCIIFromString(&model, &error, &warning, part.data(),
+                                                 unsigned(part.size()), "");
         }
     } catch (const SceneError&) {
         throw;
     } catch (const std::exception& exception) {
         error = exception.what();
     }
-    if (!loaded) throw SceneError(name + ": not a valid glTF file: " + error);
+    if (!loaded) {
+        constexpr std::size_t most = 300; // the library quotes whole buffers
+        if (error.size() > most) error = error.substr(0, most) + " ...";
+        throw SceneError(name + ": not a valid glTF file: " + error);
+    }
     return model;
 }
 

@@ -1,8 +1,9 @@
 // A mesh as its file gives it, before the scene's transform: what the OBJ and glTF readers return.
 #pragma once
 
-#include "common/math/vec.h"
+#include "common/material/material.h"
 #include "common/scene/picture.h"
+#include "common/scene/view.h"
 
 #include <array>
 #include <filesystem>
@@ -18,14 +19,22 @@ struct MeshTriangle {
     std::array<int, 3> position;           // indices into Mesh::positions
     std::array<int, 3> normal{-1, -1, -1}; // into Mesh::normals, or all -1: none
     std::array<int, 3> uv{-1, -1, -1};     // into Mesh::uvs, or all -1: none
+    std::array<int, 3> colour{-1, -1, -1}; // into Mesh::colours, or all -1: none
     int material = -1;                     // into Mesh::materials, or -1: none
 };
 
-// The base colour of a mesh file's own material.
+// A mesh file's own material, or the nearest that raylab has.
 struct MeshMaterial {
     std::string name;
-    Vec3 reflectance = Vec3(1);
-    int picture = -1; // into Mesh::pictures, or -1; its texels are multiplied by reflectance
+    Material material; // without its texture
+    int picture = -1;  // into Mesh::pictures, or -1; its texels are multiplied by reflectance
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat; // of the picture
+};
+
+// A point light of a mesh file.
+struct MeshLight {
+    DVec3 position;
+    Vec3 intensity; // radiant intensity
 };
 
 struct Mesh {
@@ -33,9 +42,11 @@ struct Mesh {
         positions; // may be non-finite: triangles that use such a one are dropped later
     std::vector<DVec3> normals;          // any length, also 0
     std::vector<Vec2> uvs;               // v up
+    std::vector<Vec3> colours;           // factors on the reflectance, linear, in [0, 1]
     std::vector<MeshTriangle> triangles; // counterclockwise seen from outside
     std::vector<MeshMaterial> materials;
     std::vector<Picture> pictures;
+    std::vector<MeshLight> lights;
     std::vector<std::string> warnings;
 };
 
@@ -45,8 +56,12 @@ using ReadNamedFile = std::function<std::string(const std::string& name)>;
 // Wavefront OBJ. Throws SceneError as `name:line: expected ..., found ...`.
 Mesh parse_obj(std::string_view text, const std::string& name);
 
+// Does the scene want the file's own materials, or only its geometry?
+enum class MeshLook { own, none };
+
 // glTF 2.0, as text or as one binary file (GLB). Throws SceneError.
-Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read);
+Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
+                MeshLook look = MeshLook::own);
 
 // Gives every triangle that has no normals one per corner: the mean of the faces' normals around
 // the same position, weighted by their angles there, so that it does not depend on how polygons

@@ -46,11 +46,12 @@ void check_light(const Image& image, const std::string& name) {
 
 Picture decode_picture(std::string_view bytes, const std::string& name) {
     Image image;
+    std::vector<float> alpha;
     try {
         if (is_jpeg(bytes))
             image = decode_jpeg(bytes);
         else if (is_png(bytes))
-            image = decode_png(bytes, limits);
+            image = decode_png(bytes, limits, &alpha);
         else if (is_hdr(bytes))
             image = decode_hdr(bytes, limits);
         else
@@ -59,7 +60,7 @@ Picture decode_picture(std::string_view bytes, const std::string& name) {
         fail(name, fmt::format("cannot read the image: {}; write or copy it again", error.what()));
     }
     check_light(image, name);
-    return {image.width, image.height, std::move(image.mean)};
+    return {image.width, image.height, std::move(image.mean), std::move(alpha)};
 }
 
 } // namespace raylab

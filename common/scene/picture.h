@@ -11,7 +11,8 @@ namespace raylab {
 
 struct Picture {
     int width = 0, height = 0;
-    std::vector<Vec3> texels; // linear RGB, row by row, top row first; all finite, >= 0
+    std::vector<Vec3> texels;   // linear RGB, row by row, top row first; all finite, >= 0
+    std::vector<float> alpha{}; // in [0, 1], as many; none: 1 everywhere
 };
 
 // Sizes beyond these are errors.

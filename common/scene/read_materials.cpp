@@ -99,14 +99,18 @@ int SceneBuilder::texture_from_file(const Node& file) {
     }
 }
 
-int SceneBuilder::add_texture(Picture&& picture, const Node& node) {
+// factor: on each texel, so that no hit pays for it.
+int SceneBuilder::add_texture(const Picture& picture, const Node& node, Vec3 factor, Wrap wrap_u,
+                              Wrap wrap_v) {
     if (scene_.texels.size() + picture.texels.size() > std::size_t(max_picture_texels))
         node.fail(fmt::format("the scene's textures have more than {} texels; scale them down",
                               max_picture_texels));
-    scene_.textures.push_back({int(scene_.texels.size()), picture.width, picture.height});
+    scene_.textures.push_back(
+        {int(scene_.texels.size()), picture.width, picture.height, wrap_u, wrap_v});
     for (int y = picture.height - 1; y >= 0; --y) { // row 0 of a texture is its bottom
         const auto row = picture.texels.begin() + std::ptrdiff_t(y) * picture.width;
-        scene_.texels.insert(scene_.texels.end(), row, row + picture.width);
+        for (auto texel = row; texel != row + picture.width; ++texel)
+            scene_.texels.push_back(factor * *texel);
     }
     return int(scene_.textures.size()) - 1;
 }

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace raylab {
 namespace {
@@ -39,13 +41,15 @@ void SceneBuilder::read_mesh(const Node& shape) {
         if (extension == ".obj") {
             mesh = parse_obj(bytes, path.string());
         } else {
-            mesh = parse_gltf(bytes, path.string(), [&](const std::string& name) {
+            const auto read = [&](const std::string& name) {
                 std::string part;
                 const std::string problem = read_file(path.parent_path() / name, part);
                 if (!problem.empty()) throw SceneError(path.string() + ": " + problem);
                 hash_.add(part);
                 return part;
-            });
+            };
+            mesh = parse_gltf(bytes, path.string(), read,
+                              shape.has("material") ? MeshLook::none : MeshLook::own);
         }
     } catch (const SceneError& error) {
         file.fail(error.what());
@@ -55,19 +59,42 @@ void SceneBuilder::read_mesh(const Node& shape) {
 }
 
 // The scene's material for each of the mesh's own, which are used where the shape names none.
-std::vector<int> SceneBuilder::add_mesh_materials(const Node& file, Mesh& mesh) {
+std::vector<int> SceneBuilder::add_mesh_materials(const Node& file, const Mesh& mesh) {
     std::vector<int> indices;
+    using Key = std::tuple<int, float, float, float, Wrap, Wrap>;
+    std::map<Key, int> textures; // several materials may have the same
     for (const MeshMaterial& own : mesh.materials) {
-        Material material;
-        material.reflectance = own.reflectance;
-        if (own.picture >= 0) { // one product per texel here instead of one per hit
-            Picture picture = mesh.pictures[own.picture];
-            for (Vec3& texel : picture.texels) texel *= own.reflectance;
-            material.texture = add_texture(std::move(picture), file);
+        Material material = own.material;
+        if (own.picture >= 0) {
+            const Vec3 factor = material.reflectance;
+            const auto [texture, is_new] = textures.try_emplace(
+                {own.picture, factor.x, factor.y, factor.z, own.wrap_u, own.wrap_v});
+            if (is_new)
+                texture->second = add_texture(mesh.pictures[std::size_t(own.picture)], file, factor,
+                                              own.wrap_u, own.wrap_v);
+            material.texture = texture->second;
         }
         indices.push_back(add_material(material, own.name));
     }
     return indices;
+}
+
+// The scene says whether it wants the file's lights, since it may have its own.
+void SceneBuilder::add_mesh_lights(const Node& shape, const Mesh& mesh,
+                                   const Transform& transform) {
+    const auto wanted = shape.find("lights");
+    if (wanted && wanted->boolean() && mesh.lights.empty())
+        wanted->fail("the mesh file has no point lights; remove this key");
+    if (!wanted && !mesh.lights.empty())
+        scene_.warnings.push_back(fmt::format(
+            "{}: the file's {} point lights are left out; \"lights\": true takes them, false says "
+            "that they are not wanted",
+            shape.place(), mesh.lights.size()));
+    if (!wanted || !wanted->boolean()) return;
+    for (const MeshLight& light : mesh.lights)
+        if (!is_black(light.intensity))
+            mesh_lights_.push_back(
+                {LightKind::point, -1, placed(shape, transform, light.position), light.intensity});
 }
 
 void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
@@ -85,6 +112,7 @@ void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
         compute_smooth_normals(mesh);
 
     const Transform transform = read_transform(shape);
+    add_mesh_lights(shape, mesh, transform);
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(transform.linear));
     const int first = int(scene_.triangles.size());
     int dropped = 0;
@@ -107,8 +135,15 @@ void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
                 .fail("the material has a texture, but the mesh has no texture "
                       "coordinates; use a material without, or another mesh");
         const bool smooth = !flat && source.normal[0] >= 0;
-        if (textured || smooth) {
+        const bool coloured = !named && source.colour[0] >= 0;
+        if (textured || smooth || coloured) {
             TriangleCorners corners{{triangle.normal, triangle.normal, triangle.normal}, {}};
+            if (coloured) {
+                corners.colours = int(scene_.corner_colours.size());
+                CornerColours& colours = scene_.corner_colours.emplace_back();
+                for (int i = 0; i < 3; ++i)
+                    colours.factor[i] = mesh.colours[source.colour[corner[i]]];
+            }
             for (int i = 0; i < 3; ++i) {
                 if (smooth)
                     corners.normal[i] =

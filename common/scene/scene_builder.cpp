@@ -44,6 +44,7 @@ Scene SceneBuilder::build() {
     if (const auto shapes = root.find("shapes")) read_shapes(*shapes);
     scene_.quad_groups = group_quads(scene_.quads);
     make_area_lights();
+    scene_.lights.insert(scene_.lights.end(), mesh_lights_.begin(), mesh_lights_.end());
     if (const auto lights = root.find("lights")) read_lights(*lights);
     if (const auto expect = root.find("expect")) read_expect(*expect);
 

@@ -59,13 +59,15 @@ class SceneBuilder {
     void add_quad(const Node& shape, const Vec3 (&v)[4], int material);
     // `from`: the key that says which mesh it is.
     void add_mesh(const Node& shape, const Node& from, Mesh& mesh);
-    std::vector<int> add_mesh_materials(const Node& file, Mesh& mesh);
+    std::vector<int> add_mesh_materials(const Node& file, const Mesh& mesh);
+    void add_mesh_lights(const Node& shape, const Mesh& mesh, const Transform& transform);
 
     Material read_material(const Node& node);
     int material_named(const Node& name);
     int add_material(const Material& material, const std::string& name);
     int texture_from_file(const Node& file);
-    int add_texture(Picture&& picture, const Node& file);
+    int add_texture(const Picture& picture, const Node& file, Vec3 factor = Vec3(1),
+                    Wrap wrap_u = Wrap::repeat, Wrap wrap_v = Wrap::repeat);
 
     // The bytes of a file the scene names; part of the scene's hash.
     std::string read_named_file(const Node& file);
@@ -77,6 +79,7 @@ class SceneBuilder {
     std::map<std::string, int> material_index_;
     std::map<std::string, int> texture_index_; // by path
     std::vector<Triangle> loose_;              // triangles of no mesh, one group behind all meshes
+    std::vector<Light> mesh_lights_;           // point lights of mesh files
     int left_out_ = 0;                         // loose triangles without area
     std::string first_left_out_;
     int next_id_ = 0;

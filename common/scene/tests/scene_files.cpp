@@ -71,11 +71,12 @@ std::string chunk(const std::string& type, const std::string& data) {
 
 } // namespace
 
-std::string png(int width, int height, const std::string& rgb) {
+std::string png(int width, int height, const std::string& texels, int channels) {
     std::string rows;
     for (int y = 0; y < height; ++y)
-        rows += '\0' + rgb.substr(std::size_t(3 * width * y), std::size_t(3 * width)); // filter 0
-    std::uint32_t a = 1, b = 0;                                                        // Adler-32
+        rows += '\0' + texels.substr(std::size_t(channels * width * y),
+                                     std::size_t(channels * width)); // filter 0
+    std::uint32_t a = 1, b = 0;                                      // Adler-32
     for (const unsigned char byte : rows) {
         a = (a + byte) % 65521;
         b = (b + a) % 65521;
@@ -85,8 +86,8 @@ std::string png(int width, int height, const std::string& rgb) {
                                char(~size & 255) + char(~size >> 8 & 255) + rows +
                                big_endian(b << 16 | a);
     const std::string header = big_endian(std::uint32_t(width)) +
-                               big_endian(std::uint32_t(height)) +
-                               std::string("\x08\x02\x00\x00\x00", 5);
+                               big_endian(std::uint32_t(height)) + std::string("\x08", 1) +
+                               (channels == 4 ? '\x06' : '\x02') + std::string(3, '\0');
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored) + chunk("IEND", "");
 }
 

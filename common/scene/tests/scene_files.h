@@ -66,7 +66,8 @@ template <class F> std::string error_of(F&& f) {
 
 // Bytes of small files, made in the test.
 std::string little_endian(std::initializer_list<float> values);
-std::string png(int width, int height, const std::string& rgb); // 8 bits, stored uncompressed
+std::string png(int width, int height, const std::string& texels,
+                int channels = 3); // 8 bits, stored uncompressed; 4: with alpha
 std::string hdr(int width, int height, const std::string& rgbe);
 
 } // namespace raylab

@@ -117,11 +117,13 @@ RayMesh polygons_of(const Scene& scene) {
 
 RayMesh load_ray_mesh(const std::filesystem::path& file) {
     const std::string bytes = read(file);
-    const Mesh source = file.extension() == ".obj"
-                            ? parse_obj(bytes, file.string())
-                            : parse_gltf(bytes, file.string(), [&](const std::string& name) {
-                                  return read(file.parent_path() / name);
-                              });
+    const Mesh source =
+        file.extension() == ".obj"
+            ? parse_obj(bytes, file.string())
+            : parse_gltf(
+                  bytes, file.string(),
+                  [&](const std::string& name) { return read(file.parent_path() / name); },
+                  MeshLook::none);
     RayMesh mesh = from_mesh(file.stem().string(), source);
     mesh.camera = view_from_front(bounds_of(mesh.triangles));
     return mesh;
