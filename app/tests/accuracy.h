@@ -99,14 +99,15 @@ struct SceneText {
     int width = 8, height = 8;
 };
 
-inline Scene parse(const SceneText& t) {
+// where: the scene's own name, for the files it names.
+inline Scene parse(const SceneText& t, const std::filesystem::path& where = "test.json") {
     return parse_scene(
         fmt::format(
             R"({{"version": 1, "title": "a test", "reason": "a test", "camera": {{{}}},
                 "film": {{"width": {}, "height": {}}}, "render": {{{}}}, "materials": {{{}}},
                 "shapes": [{}], "lights": [{}]}})",
             t.camera, t.width, t.height, t.render, t.materials, t.shapes, t.lights),
-        "test.json");
+        where);
 }
 
 // --- Renders ----------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "common/geometry/edges.h"
 #include "common/geometry/error.h"
 #include "common/geometry/parameters.h"
+#include "common/geometry/shading_normal.h"
 #include "common/math/frame.h"
 #include "common/scene/features.h"
 #include "common/scene/view.h"
@@ -17,7 +18,7 @@ struct SurfacePoint {
     Vec3 p;        // world position
     float error;   // how far rounding can put p, or an origin beside it, off the shape along ng
     Vec3 ng;       // unit geometric normal: outward from a sphere, else as the shape's own
-    Frame shading; // z: unit shading normal, on the same side as ng
+    Frame shading; // z: unit shading normal, on ng's side and seen by wo from the side that ng is
     Vec2 uv;       // texture coordinates, v up; (0, 0) where the shape has none or F no texture
     Vec3 colour = Vec3(1); // the mesh's vertex colours, a factor on the reflectance
     int material;          // index into SceneView::materials
@@ -25,8 +26,9 @@ struct SurfacePoint {
 };
 
 // p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
+// wo: unit, to where the ray came from.
 template <Features F>
-HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) {
+HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p, Vec3) {
     const DVec3 center(sphere.center);
     const DVec3 n = glm::normalize(p - center);
     SurfacePoint s{};
@@ -38,7 +40,8 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p) 
     return s;
 }
 
-template <Features F> HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p) {
+template <Features F>
+HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p, Vec3) {
     const bool first_half = quad.parallelogram || is_in_first_half(quad, p);
     const ExactPlane plane = exact_plane(quad, first_half);
     p = project(plane, p);
@@ -54,7 +57,7 @@ template <Features F> HD_HOT SurfacePoint surface_on(const SceneView&, const Qua
 
 // A plane has no size to measure uv in: it has no texture coordinates.
 template <Features F>
-HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p) {
+HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p, Vec3) {
     SurfacePoint s{};
     s.p = Vec3(project(exact_plane(plane), p));
     s.ng = plane.normal;
@@ -63,9 +66,8 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p) {
     return s;
 }
 
-// Normals given at the corners are interpolated (Phong, 1975) and turned to ng's side.
 template <Features F>
-HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p) {
+HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p, Vec3 wo) {
     const ExactPlane plane = exact_plane(triangle);
     p = clear_of_edges(triangle.v, plane, project(plane, p));
     SurfacePoint s{};
@@ -85,8 +87,7 @@ HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle,
                     s.colour = b.x * c.factor[0] + b.y * c.factor[1] + b.z * c.factor[2];
                 }
             }
-            const Vec3 n = b.x * at.normal[0] + b.y * at.normal[1] + b.z * at.normal[2];
-            if (dot(n, s.ng) != 0) normal = normalize(copysignf(1.0f, dot(n, s.ng)) * n);
+            normal = facing_normal(interpolated_normal(at.normal, b, s.ng), s.ng, wo);
         }
     }
     s.shading = Frame::around(normal);
@@ -94,8 +95,9 @@ HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle,
 }
 
 template <Features F, class ShapeType>
-HD SurfacePoint tagged_surface_on(const SceneView& scene, const ShapeType& shape, DVec3 p) {
-    SurfacePoint s = surface_on<F>(scene, shape, p);
+HD SurfacePoint tagged_surface_on(const SceneView& scene, const ShapeType& shape, DVec3 p,
+                                  Vec3 wo) {
+    SurfacePoint s = surface_on<F>(scene, shape, p, wo);
     s.material = shape.tags.material;
     s.light = shape.tags.light;
     return s;
@@ -106,20 +108,22 @@ HD SurfacePoint tagged_surface_on(const SceneView& scene, const ShapeType& shape
 template <Features F>
 HD_HOT SurfacePoint surface_at(const SceneView& scene, const Ray& ray, const Hit& hit) {
     const DVec3 p = DVec3(ray.o) + double(hit.t) * DVec3(ray.d);
+    const Vec3 wo = -ray.d;
     if constexpr (F & feature::sphere) {
         if (hit.shape == Shape::sphere)
-            return tagged_surface_on<F>(scene, scene.spheres[hit.index], p);
+            return tagged_surface_on<F>(scene, scene.spheres[hit.index], p, wo);
     }
     if constexpr (F & feature::quad) {
-        if (hit.shape == Shape::quad) return tagged_surface_on<F>(scene, scene.quads[hit.index], p);
+        if (hit.shape == Shape::quad)
+            return tagged_surface_on<F>(scene, scene.quads[hit.index], p, wo);
     }
     if constexpr (F & feature::plane) {
         if (hit.shape == Shape::plane)
-            return tagged_surface_on<F>(scene, scene.planes[hit.index], p);
+            return tagged_surface_on<F>(scene, scene.planes[hit.index], p, wo);
     }
     if constexpr (F & feature::triangle) {
         if (hit.shape == Shape::triangle)
-            return tagged_surface_on<F>(scene, scene.triangles[hit.index], p);
+            return tagged_surface_on<F>(scene, scene.triangles[hit.index], p, wo);
     }
     return {};
 }

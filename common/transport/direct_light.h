@@ -11,9 +11,9 @@
 #include "common/film/ledger.h"
 #include "common/geometry/intersect.h"
 #include "common/geometry/offset.h"
-#include "common/material/bsdf.h"
 #include "common/sampling/sampler.h"
 #include "common/transport/emission.h"
+#include "common/transport/scatter.h"
 
 namespace raylab {
 
@@ -30,12 +30,11 @@ template <Features F>
 HD_HOT Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, float p_choice,
                         const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
     const LightSample sample = sample_light<F>(scene, light, surface.p, u);
-    if (!sample.valid || !sides_agree(surface, sample.wi)) return {};
+    if (!sample.valid) return {};
     if (strategy == DirectLight::bsdf && !sample.delta) return {};
 
     const BsdfValue bsdf =
-        evaluate_bsdf<F>(scene.materials[surface.material], reflectance,
-                         surface.shading.to_local(wo), surface.shading.to_local(sample.wi));
+        evaluate_bsdf<F>(surface, scene.materials[surface.material], reflectance, wo, sample.wi);
     if (is_black(bsdf.f_cos)) return {};
 
     const Ray ray = sample.distance == infinity

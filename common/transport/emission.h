@@ -43,10 +43,4 @@ HD Vec3 escaped_light(const SceneView& scene, DirectLight strategy, const Ray& r
     return emission * emission_weight(strategy, bsdf_pdf, pdf / scene.lights.size);
 }
 
-// A shading normal tilts the hemisphere: a direction above it may lie below the true surface, where
-// light would leak through. Such directions carry nothing.
-HD bool sides_agree(const SurfacePoint& surface, Vec3 w) {
-    return dot(w, surface.ng) * dot(w, surface.shading.z) > 0;
-}
-
 } // namespace raylab

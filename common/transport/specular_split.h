@@ -3,17 +3,18 @@
 #pragma once
 
 #include "common/material/bsdf.h"
+#include "common/transport/fold.h"
 
 namespace raylab {
 
-// Local directions, and the share of their light that turns towards wo. A mirror only reflects.
+// Directions, and the share of their light that turns towards wo. A mirror only reflects.
 struct SpecularSplit {
     Vec3 reflected = Vec3(0), reflected_weight = Vec3(0);
     Vec3 refracted = Vec3(0), refracted_weight = Vec3(0);
     bool refracts = false;
 };
 
-// material: is_specular. wo: local.
+// material: is_specular. wo and what comes out: local.
 template <Features F>
 HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3 wo) {
     constexpr bool has_glass = (F & (feature::glass | feature::rough_dielectric)) != 0;
@@ -28,6 +29,21 @@ HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3
     // The remaining lobes draw nothing at random: their sample is the one direction there is.
     const BsdfSample sample = sample_bsdf<F>(material, reflectance, wo, 0, Vec2(0));
     return {sample.wi, sample.weight, Vec3(0), Vec3(0), false};
+}
+
+// A split in the shading frame becomes one in the world, folded at the face (fold.h).
+HD SpecularSplit fold_split(const SurfacePoint& surface, SpecularSplit split) {
+    split.reflected = fold_to_world(surface, split.reflected);
+    split.refracted = fold_to_world(surface, split.refracted);
+    return split;
+}
+
+// The same around a surface's shading normal; wo and what comes out: world.
+template <Features F>
+HD SpecularSplit split_specular(const SurfacePoint& surface, const Material& material,
+                                Vec3 reflectance, Vec3 wo) {
+    return fold_split(surface,
+                      split_specular<F>(material, reflectance, surface.shading.to_local(wo)));
 }
 
 } // namespace raylab

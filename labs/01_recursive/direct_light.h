@@ -18,12 +18,11 @@ inline Vec3 light_from(const Path& path, DirectLight strategy, int light, float 
     //[ task 1.3
     const SceneView& scene = path.scene;
     const LightSample sample = sample_light<feature::all>(scene, light, surface.p, u);
-    if (!sample.valid || !sides_agree(surface, sample.wi)) return Vec3(0);
+    if (!sample.valid) return Vec3(0);
     if (strategy == DirectLight::bsdf && !sample.delta) return Vec3(0);
 
     const BsdfValue bsdf =
-        evaluate(scene.materials[surface.material], reflectance, surface.shading.to_local(wo),
-                 surface.shading.to_local(sample.wi));
+        evaluate(surface, scene.materials[surface.material], reflectance, wo, sample.wi);
     if (is_black(bsdf.f_cos)) return Vec3(0);
 
     // The environment is infinitely far: its feeler has no end.

@@ -17,8 +17,8 @@ namespace raylab::lab01 {
 namespace {
 
 // Russian roulette: from the second surface on, the path goes on with probability q, and what it
-// brings counts 1/q. q is 2.5 times the largest channel of the throughput, the product of all weights
-// so far: the one thing a recursion has to be told about its past.
+// brings counts 1/q. q is 2.5 times the largest channel of the throughput, the product of all
+// weights so far: the one thing a recursion has to be told about its past.
 float survival_probability(Vec3 throughput, int bounce) {
     if (bounce < 1) return 1;
     return std::min(1.0f, 2.5f * max_component(throughput));
@@ -52,11 +52,9 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
     // One direction for the rest of the integral.
     const Vec2 u_lobe = path.sampler.get_2d(bounce_dimension(bounce, dimension::lobe_roulette));
     const Vec2 u_direction = path.sampler.get_2d(bounce_dimension(bounce, dimension::direction));
-    const BsdfSample scattered =
-        scatter(material, reflectance, surface.shading.to_local(wo), u_lobe.x, u_direction);
-    const Vec3 wi = surface.shading.to_world(scattered.wi);
+    const BsdfSample scattered = scatter(surface, material, reflectance, wo, u_lobe.x, u_direction);
     path.record.end = PathEnd::absorbed;
-    if (!scattered.valid || !sides_agree(surface, wi)) return radiance;
+    if (!scattered.valid) return radiance;
 
     throughput *= scattered.weight;
     Vec3 weight = scattered.weight;
@@ -69,7 +67,7 @@ Vec3 trace_path(const Path& path, const Ray& ray, int bounce, float bsdf_pdf, Ve
     }
     const float pdf = scattered.specular ? delta_pdf : scattered.pdf;
     return radiance +
-           weight * trace_path(path, spawn_ray(surface, wi), bounce + 1, pdf, throughput);
+           weight * trace_path(path, spawn_ray(surface, scattered.wi), bounce + 1, pdf, throughput);
     //| not_implemented("1.5", "trace_path()");
     //| record_hit(path.record, -1);
     //| return Vec3(0);

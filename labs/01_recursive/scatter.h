@@ -1,6 +1,10 @@
 // One entry to all materials: diffuse and glass are this lab's own, the others are given.
+//
+// Each function stands here twice: for a material, with directions in the local frame, and for a
+// surface, with directions in the world. The second is what the tracers call.
 #pragma once
 
+#include "common/transport/fold.h"
 #include "common/transport/specular_split.h"
 #include "labs/01_recursive/cosine.h"
 #include "labs/01_recursive/glass.h"
@@ -37,6 +41,29 @@ inline SpecularSplit split_light(const Material& material, Vec3 reflectance, Vec
     const GlassSplit split = split_glass(material, wo);
     return {split.reflected, reflectance * split.reflectance, split.refracted,
             reflectance * (1 - split.reflectance), split.reflectance < 1};
+}
+
+// The same three at a surface: around its shading normal, and nothing passes an opaque face (fold.h
+// tells how smooth shading keeps both that and the energy).
+inline BsdfValue evaluate(const SurfacePoint& surface, const Material& material, Vec3 reflectance,
+                          Vec3 wo, Vec3 wi) {
+    return fold_value<feature::all>(surface, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {
+        return evaluate(material, reflectance, local_wo, local_wi);
+    });
+}
+
+inline BsdfSample scatter(const SurfacePoint& surface, const Material& material, Vec3 reflectance,
+                          Vec3 wo, float u_lobe, Vec2 u) {
+    const BsdfSample sample =
+        scatter(material, reflectance, surface.shading.to_local(wo), u_lobe, u);
+    return fold_sample<feature::all>(surface, wo, sample, [&](Vec3 local_wo, Vec3 local_wi) {
+        return evaluate(material, reflectance, local_wo, local_wi);
+    });
+}
+
+inline SpecularSplit split_light(const SurfacePoint& surface, const Material& material,
+                                 Vec3 reflectance, Vec3 wo) {
+    return fold_split(surface, split_light(material, reflectance, surface.shading.to_local(wo)));
 }
 
 } // namespace raylab::lab01

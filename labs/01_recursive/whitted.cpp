@@ -36,11 +36,11 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
         return radiance;
     }
 
-    const SpecularSplit split = split_light(material, reflectance, surface.shading.to_local(wo));
-    const Ray reflected = spawn_ray(surface, surface.shading.to_world(split.reflected));
+    const SpecularSplit split = split_light(surface, material, reflectance, wo);
+    const Ray reflected = spawn_ray(surface, split.reflected);
     radiance += split.reflected_weight * trace_whitted(path, reflected, depth + 1, 2 * node);
     if (split.refracts) {
-        const Ray refracted = spawn_ray(surface, surface.shading.to_world(split.refracted));
+        const Ray refracted = spawn_ray(surface, split.refracted);
         radiance +=
             split.refracted_weight * trace_whitted(path, refracted, depth + 1, 2 * node + 1);
     }

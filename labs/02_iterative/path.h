@@ -63,10 +63,9 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
                                                  wo, u, record);
 
         // 3. A new direction, and the share of light that comes back from it.
-        const BsdfSample scattered = sample_bsdf<F>(
-            material, reflectance, surface.shading.to_local(wo), u.lobe, u.direction);
-        const Vec3 wi = surface.shading.to_world(scattered.wi);
-        if (!scattered.valid || !sides_agree(surface, wi)) {
+        const BsdfSample scattered =
+            sample_bsdf<F>(surface, material, reflectance, wo, u.lobe, u.direction);
+        if (!scattered.valid) {
             record.end = PathEnd::absorbed;
             break;
         }
@@ -77,7 +76,7 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
         }
 
         // 4. Go there.
-        ray = spawn_ray(surface, wi);
+        ray = spawn_ray(surface, scattered.wi);
         bsdf_pdf = scattered.specular ? delta_pdf : scattered.pdf;
     }
     return radiance;

@@ -70,13 +70,12 @@ HD Vec3 trace_whitted(const SceneView& scene, const RenderSettings& settings,
         }
         // The refracted ray is pushed first, so that the reflected one is traced first, as the
         // recursive tracer does.
-        const SpecularSplit split =
-            split_specular<F>(material, reflectance, surface.shading.to_local(wo));
+        const SpecularSplit split = split_specular<F>(surface, material, reflectance, wo);
         if (split.refracts)
-            stack[pending++] = {spawn_ray(surface, surface.shading.to_world(split.refracted)),
+            stack[pending++] = {spawn_ray(surface, split.refracted),
                                 now.throughput * split.refracted_weight, now.depth + 1,
                                 2 * now.node + 1};
-        stack[pending++] = {spawn_ray(surface, surface.shading.to_world(split.reflected)),
+        stack[pending++] = {spawn_ray(surface, split.reflected),
                             now.throughput * split.reflected_weight, now.depth + 1, 2 * now.node};
     }
     return radiance;

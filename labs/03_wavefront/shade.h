@@ -60,15 +60,14 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
 
     // A new direction, and the share of light that comes back from it.
     const BsdfSample scattered =
-        sample_bsdf<F>(material, reflectance, surface.shading.to_local(wo), u.lobe, u.direction);
-    const Vec3 wi = surface.shading.to_world(scattered.wi);
+        sample_bsdf<F>(surface, material, reflectance, wo, u.lobe, u.direction);
     Vec3 onward = throughput * scattered.weight;
-    if (!scattered.valid || !sides_agree(surface, wi)) {
+    if (!scattered.valid) {
         end_path(pool, slot, PathEnd::absorbed);
     } else if (settings.roulette && !survives_roulette(onward, bounce, u.roulette)) {
         end_path(pool, slot, PathEnd::roulette);
     } else {
-        const Ray next = spawn_ray(surface, wi);
+        const Ray next = spawn_ray(surface, scattered.wi);
         pool.origin[slot] = next.o;
         pool.direction[slot] = next.d;
         pool.throughput[slot] = onward;

@@ -46,16 +46,15 @@ template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
     }
 
     // The refracted ray waits, the reflected one goes on: the order of lab 02.
-    const SpecularSplit split =
-        split_specular<F>(material, reflectance, surface.shading.to_local(wo));
+    const SpecularSplit split = split_specular<F>(surface, material, reflectance, wo);
     const std::uint32_t node = pool.node[slot];
     if (split.refracts) {
-        const Ray refracted = spawn_ray(surface, surface.shading.to_world(split.refracted));
+        const Ray refracted = spawn_ray(surface, split.refracted);
         push_branch(pool, slot,
                     {refracted.o, refracted.d, throughput * split.refracted_weight, depth + 1,
                      2 * node + 1});
     }
-    const Ray reflected = spawn_ray(surface, surface.shading.to_world(split.reflected));
+    const Ray reflected = spawn_ray(surface, split.reflected);
     pool.origin[slot] = reflected.o;
     pool.direction[slot] = reflected.d;
     pool.throughput[slot] = throughput * split.reflected_weight;

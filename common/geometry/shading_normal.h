@@ -1,0 +1,34 @@
+// The normal that shades a triangle whose corners have normals of their own: interpolated, and kept
+// where it is of use. All vectors are unit.
+#pragma once
+
+#include "common/math/numbers.h"
+#include "common/math/vec.h"
+
+namespace raylab {
+
+// Interpolated (Phong, 1975) and turned to ng's side. b: the weights of the corners. ng itself
+// where the normals cancel or are no numbers.
+HD Vec3 interpolated_normal(const Vec3 (&normal)[3], Vec3 b, Vec3 ng) {
+    const Vec3 n = b.x * normal[0] + b.y * normal[1] + b.z * normal[2];
+    const float side = dot(n, ng), length2 = dot(n, n);
+    if (!(side != 0 && length2 > 0 && length2 < infinity)) return ng;
+    return normalize(copysignf(1.0f, side) * n);
+}
+
+// The nearest normal to n that wo sees from the side from which it sees the face. Near a silhouette
+// wo may meet the front of the face and the back of n; shaded like that, an opaque surface would
+// send its light on through itself, and glass would take outside for inside. With s the side of wo,
+//   n' = normalize(n + s (c - s wo.n) wo),   c = min(|wo.ng|, 2^-10),   wherever s wo.n < c,
+// which makes s wo.n' > 0. n' is continuous in wo and no nearer to the face's plane than n:
+// n'.ng ~ n.ng + (c - s wo.n) |wo.ng|. What rounding leaves open is decided by ng.
+HD Vec3 facing_normal(Vec3 n, Vec3 ng, Vec3 wo) {
+    const float cosine = dot(wo, ng), side = copysignf(1.0f, cosine);
+    const float least = fabsf(cosine) < 0x1p-10f ? fabsf(cosine) : 0x1p-10f;
+    const float seen = side * dot(wo, n);
+    if (seen >= least) return n;
+    const Vec3 bent = normalize(n + side * (least - seen) * wo);
+    return side * dot(wo, bent) > 0 && dot(bent, ng) > 0 ? bent : ng;
+}
+
+} // namespace raylab
