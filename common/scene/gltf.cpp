@@ -38,7 +38,9 @@ class GltfReader {
             read_light(nodes[index], *nodes_.to_world[index]);
         }
         if (mesh_.triangles.empty())
-            throw SceneError(name_ + ": expected triangles in its scene, found none");
+            throw SceneError(
+                name_ + ": expected triangles in its scene, found none" +
+                (cut_out_ > 0 ? fmt::format(": alpha cuts all {} out", cut_out_) : ""));
         if (look_) look_->finish(mesh_);
         note_other_losses();
         if (const std::string lost = losses_.sentence(name_); !lost.empty())
@@ -126,7 +128,10 @@ class GltfReader {
                 if (look_->material(material).alpha_cutoff > 0) {
                     part.pieces =
                         look_->pieces(material, uv_of(look_->material(material).base_texture));
-                    if (part.pieces.empty()) continue;
+                    if (part.pieces.empty()) {
+                        ++cut_out_;
+                        continue;
+                    }
                     if (part.pieces[0] == whole_triangle) part.pieces.clear();
                 }
                 part.material = look_->material_of_triangle(material, uv_of);
@@ -268,6 +273,7 @@ class GltfReader {
     GltfNodes nodes_;
     GltfLosses losses_;
     std::map<std::string, int> counts_;
+    int cut_out_ = 0;              // triangles
     std::optional<GltfLook> look_; // nothing: geometry alone
     Mesh mesh_;
 };

@@ -125,9 +125,9 @@ std::string_view json_chunk(std::string_view glb, const std::string& name) {
 
 void check_version(const Node& root) {
     const Node asset = root.at("asset");
-    // What a file of glTF 1.0 may leave out: it names its parts by objects, not by arrays.
-    if (!asset.has("version") && root.has("meshes") && !root.at("meshes").is_array())
-        asset.fail(convert_from("1.0"));
+    // Files of glTF 1.0 name their parts by objects, not by arrays; their version may be a number
+    // or left out.
+    if (root.has("meshes") && !root.at("meshes").is_array()) asset.fail(convert_from("1.0"));
     const Node text = asset.at("version");
     if (version_of(text).major != 2) text.fail(convert_from(text.string()));
     if (const auto least = asset.find("minVersion")) {

@@ -29,6 +29,8 @@ TEST(GltfRefused, OtherVersions) {
     // glTF 1.0 names its parts by objects.
     expect_error(R"({"asset":{"version":"1.0"},"buffers":{"b":{"byteLength":3}},"meshes":{}})",
                  "this is glTF 1.0, and raylab reads glTF 2.0; import the file in Blender");
+    expect_error(R"({"asset":{"version":1},"buffers":{"b":{"byteLength":3}},"meshes":{}})",
+                 "/asset: this is glTF 1.0");
     expect_error(R"({"asset":{},"buffers":{"b":{"byteLength":3}},"meshes":{}})",
                  "/asset: this is glTF 1.0");
     expect_error(std::string("glTF\1\0\0\0\x18\0\0\0\4\0\0\0\0\0\0\0{}  ", 24),
