@@ -155,6 +155,81 @@ TEST_P(EachLab, OffsetAFurnaceFarAwayLosesNothing) {
     }
 }
 
+// A turned cube, as a box and as twelve triangles: its corners are rounded, more so the farther
+// away it is, and in one coordinate more than in the others.
+TEST_P(EachLab, OffsetATurnedFurnaceFarAwayLosesNothing) {
+    for (const bool is_mesh : {false, true})
+        for (const double size : {1e-4, 1.0})
+            for (const double x : {0.0, 1e4, 65536.0}) {
+                const std::string turned = fmt::format(R"(, "transform": {{"scale": {}, "rotate":
+                        [{{"axis": [1, 2, 3], "angle_deg": 33}}], "translate": [{}, 0, 0]}}}})",
+                                                       size, size * x);
+                std::string shapes = box(DVec3(-1), DVec3(1), "wall");
+                shapes.back() = ' ';
+                shapes += turned;
+                if (is_mesh) {
+                    shapes.clear();
+                    constexpr int faces[12][3] = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5},
+                                                  {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                  {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+                    const auto corner = [](int i) {
+                        return 2.0 * DVec3(i & 1, i >> 1 & 1, i >> 2) - 1.0;
+                    };
+                    for (const auto& f : faces) {
+                        if (!shapes.empty()) shapes += ", ";
+                        shapes += triangle(corner(f[0]), corner(f[1]), corner(f[2]), "wall");
+                        shapes.back() = ' ';
+                        shapes += turned;
+                    }
+                }
+                const DVec3 place(size * x, 0, 0);
+                const Traced traced = trace(
+                    GetParam(),
+                    parse(
+                        {.camera = camera(place + size * DVec3(0.1, 0.2, 0.3),
+                                          place + size * DVec3(0.5, 0.6, 0.9), 100),
+                         .materials = R"("wall": )" + diffuse(DVec3(1), DVec3(1)),
+                         .shapes = shapes,
+                         .render = R"("max_depth": 200, "roulette": false, "direct_light": "bsdf")",
+                         .width = 16,
+                         .height = 16}),
+                    count(4, 100));
+                const std::string what = fmt::format("{} of {} turned, {} sizes away",
+                                                     is_mesh ? "mesh" : "box", size, x);
+                figure("OFFSET", GetParam(), what + ": escapes",
+                       paths_that(traced, PathEnd::escaped), 0);
+                figure("OFFSET", GetParam(), what + ": worst pixel", worst_pixel(traced.film, 200),
+                       0);
+            }
+}
+
+// Far away in x alone, the rounding of x is no reason to move a point in z. A small lamp at height
+// h above the seam of two floors gives what E / pi = L (r / h)^2 says.
+TEST_P(EachLab, OffsetAlongOneAxisDoesNotBlurTheOthers) {
+    for (const double x : {0.0, 16384.0, 65536.0}) {
+        const Scene scene = parse(
+            {.camera = camera({x, 0.03, 0.001}, {x, 0, 0.001}, 0.5),
+             .materials = R"("floor": )" + diffuse(DVec3(1)) + R"(, "lamp": )" +
+                          diffuse(DVec3(0), DVec3(100)),
+             .shapes = quad({x - 4, 0, -4}, {x - 4, 0, 0}, {x + 4, 0, 0}, {x + 4, 0, -4}, "floor") +
+                       ", " +
+                       quad({x - 4, 0, 0}, {x - 4, 0, 4}, {x + 4, 0, 4}, {x + 4, 0, 0}, "floor") +
+                       ", " + sphere({x, 0.05, 0}, 0.01, "lamp"),
+             .render = R"("max_depth": 2, "sampler": "independent")"});
+        for (const char* how : {"light", "bsdf", "mis"}) {
+            Scene asked = scene;
+            asked.render.direct_light = how == std::string("light")  ? DirectLight::light
+                                        : how == std::string("bsdf") ? DirectLight::bsdf
+                                                                     : DirectLight::mis;
+            const Estimate found = estimate(trace(GetParam(), asked, count(200, 5000)).film);
+            const double truth = 100 * 0.01 * 0.01 / (0.05 * 0.05);
+            // The height above x is known to half an ulp of x: up to 1 % of the light at 65536.
+            figure("OFFSET", GetParam(), fmt::format("lamp above a seam, x = {}, {}", x, how),
+                   std::fabs(found.mean / truth - 1), 4 * found.error / truth + 0.01);
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Labs, EachLab, testing::ValuesIn(lab_numbers()), lab_name);
 
 } // namespace

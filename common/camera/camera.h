@@ -30,14 +30,17 @@ inline void set_film_size(Camera& camera, int width, int height) {
 HD_HOT Ray generate_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_lens) {
     const float sx = (2 * (x + u_film.x) / camera.width - 1) * camera.half_width;
     const float sy = (1 - 2 * (y + u_film.y) / camera.height) * camera.half_height;
-    const Vec3 d = camera.forward + sx * camera.right + sy * camera.up; // forward component 1
-    if (camera.lens_radius == 0) return {camera.position, normalize(d)};
+    if (camera.lens_radius == 0)
+        return {camera.position, normalize(camera.forward + sx * camera.right + sy * camera.up)};
 
-    // Every ray through the lens meets the same point of the plane in focus.
-    const Vec3 focus = camera.position + camera.focus_distance * d;
+    // Every ray through the lens meets the same point of the plane in focus: from its place on the
+    // lens the way there is (sx, sy, 1) focus_distance - (lens, 0) in the camera's frame. World
+    // positions, two large numbers, stay out of the difference.
     const Vec2 lens = camera.lens_radius * sample_disk(u_lens);
+    const Vec2 turn = lens / camera.focus_distance;
     const Vec3 o = camera.position + lens.x * camera.right + lens.y * camera.up;
-    return {o, normalize(focus - o)};
+    return {o,
+            normalize(camera.forward + (sx - turn.x) * camera.right + (sy - turn.y) * camera.up)};
 }
 //]
 

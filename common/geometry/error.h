@@ -24,9 +24,9 @@ HD double normal_conditioning(Vec3 a, Vec3 b, Vec3 c) {
     return sqrt(dot(e1, e1) / dot(n, n) * dot(e2, e2));
 }
 
-// On a sphere besides: the rounding, in double, of its test's r^2.
+// On a sphere besides: the rounding, in double, of its test's r^2 and of a point center + r n.
 HD float error_on_sphere(const Sphere& sphere, Vec3 p, Vec3 n) {
-    return rounding_error(p, n) + 0x1p-50f * sphere.radius;
+    return rounding_error(p, n) + float(0x1p-50 * sphere.radius);
 }
 
 } // namespace raylab

@@ -14,7 +14,7 @@ namespace raylab {
 // The smallest t in (0, ray.t_max) at which the ray meets the sphere, from outside or inside.
 HD bool intersect(const Sphere& sphere, const Ray& ray, float& t) {
     // a t^2 - 2 b t + c = 0 with f from the centre to the origin; c < 0 inside.
-    const DVec3 f = DVec3(ray.o) - DVec3(sphere.center), d(ray.d);
+    const DVec3 f = DVec3(ray.o) - sphere.center, d(ray.d);
     const double r = sphere.radius;
     const double a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r * r;
 

@@ -29,10 +29,9 @@ struct SurfacePoint {
 // wo: unit, to where the ray came from.
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p, Vec3) {
-    const DVec3 center(sphere.center);
-    const DVec3 n = glm::normalize(p - center);
+    const DVec3 n = glm::normalize(p - sphere.center);
     SurfacePoint s{};
-    s.p = Vec3(center + double(sphere.radius) * n);
+    s.p = Vec3(sphere.center + sphere.radius * n);
     s.ng = Vec3(n);
     s.error = error_on_sphere(sphere, s.p, s.ng);
     s.shading = Frame::around(s.ng);
@@ -44,12 +43,15 @@ template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p, Vec3) {
     const bool first_half = quad.parallelogram || is_in_first_half(quad, p);
     const ExactPlane plane = exact_plane(quad, first_half);
+    const float conditioning = quad.conditioning[first_half ? 0 : 1];
     p = project(plane, p);
-    if (!(quad.parallelogram && is_clear_of_edges(quad, p))) p = clear_of_edges(quad.v, plane, p);
+    const float error = error_on_plane(plane, Vec3(p), quad.normal, conditioning);
+    if (!(quad.parallelogram && is_clear_of_edges(quad, p, error)))
+        p = clear_of_edges(quad.v, plane, p, error);
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
-    s.error = error_on_plane(plane, s.p, s.ng, quad.conditioning[first_half ? 0 : 1]);
+    s.error = error_on_plane(plane, s.p, s.ng, conditioning);
     s.shading = Frame::around(s.ng);
     if constexpr (F & feature::texture) s.uv = quad_uv(quad, p);
     return s;
@@ -69,12 +71,14 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p, Ve
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView& scene, const Triangle& triangle, DVec3 p, Vec3 wo) {
     const ExactPlane plane = exact_plane(triangle);
-    p = clear_of_edges(triangle.v, plane, project(plane, p));
+    const double conditioning = normal_conditioning(triangle.v[0], triangle.v[1], triangle.v[2]);
+    p = project(plane, p);
+    p = clear_of_edges(triangle.v, plane, p,
+                       error_on_plane(plane, Vec3(p), triangle.normal, conditioning));
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = triangle.normal;
-    s.error = error_on_plane(plane, s.p, s.ng,
-                             normal_conditioning(triangle.v[0], triangle.v[1], triangle.v[2]));
+    s.error = error_on_plane(plane, s.p, s.ng, conditioning);
     Vec3 normal = s.ng;
     if constexpr (F & feature::corners) {
         if (triangle.corners >= 0) {

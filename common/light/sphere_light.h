@@ -6,65 +6,55 @@
 // there points are sampled uniformly by area.
 #pragma once
 
-#include "common/geometry/shapes.h"
+#include "common/geometry/error.h"
 #include "common/light/light_sample.h"
 #include "common/math/frame.h"
 #include "common/sampling/warp.h"
 
 namespace raylab {
 
-// How far rounding can put center + radius * n, n normalized, off the sphere.
-HD float sphere_point_error(const Sphere& sphere) {
-    return gamma_bound(8) * (max_component(abs(sphere.center)) + sphere.radius);
-}
-
 // The cone that the sphere fills as seen from a point.
 struct SphereCone {
     Vec3 axis;           // unit, to the center
-    float sin2;          // sin^2 of the half angle, (r / d)^2
-    float one_minus_cos; // 1 - cos of it
+    float one_minus_cos; // of the half angle, whose sine is r / d
     bool exists;         // false: `from` is inside, or within rounding of the surface
 };
 
 HD SphereCone cone_around(const Sphere& sphere, Vec3 from) {
-    const Vec3 d = sphere.center - from;
-    const float distance2 = length_squared(d);
+    const DVec3 d = sphere.center - DVec3(from);
+    const double distance = sqrt(dot(d, d));
+    const Vec3 axis(d / distance);
     // A point on the surface must not count as outside by its rounding error: its cone would be the
     // half space in front, and the sphere's nearest point there the point itself.
-    const float margin = sphere.radius + 2 * sphere_point_error(sphere);
-    if (!(distance2 > sqr(margin))) return {Vec3(0), 1, 1, false};
-    const float sin2 = sqr(sphere.radius) / distance2;
-    return {d / sqrtf(distance2), sin2, one_minus_cos(sin2), true};
+    const double margin = sphere.radius + 4 * error_on_sphere(sphere, from, axis);
+    if (!(distance > margin)) return {Vec3(0), 1, false};
+    const double s = sphere.radius / distance;
+    return {axis, one_minus_cos(float(s * s)), true};
 }
 
-HD float sphere_area_pdf(const Sphere& sphere) { return uniform_sphere_pdf / sqr(sphere.radius); }
+HD float sphere_area_pdf(const Sphere& sphere) {
+    return uniform_sphere_pdf / sqr(float(sphere.radius));
+}
 
 HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 from, Vec2 u) {
-    const float error = sphere_point_error(sphere);
     const SphereCone cone = cone_around(sphere, from);
     if (!cone.exists) {
         const Vec3 n = sample_uniform_sphere(u);
-        const Vec3 p = sphere.center + sphere.radius * n;
-        return light_sample_at(from, p, error, n, sphere_area_pdf(sphere), radiance);
+        const Vec3 p(sphere.center + sphere.radius * glm::normalize(DVec3(n)));
+        return light_sample_at(from, p, error_on_sphere(sphere, p, n), n, sphere_area_pdf(sphere),
+                               radiance);
     }
-    const Vec3 local = sample_cone(u, cone.one_minus_cos);
-    const Frame frame = Frame::around(cone.axis);
-    const Vec3 wi = frame.to_world(local);
+    const Vec3 wi = Frame::around(cone.axis).to_world(sample_cone(u, cone.one_minus_cos));
 
-    // The near point p in that direction, by the sphere's normal n there. With s = sin(theta_max) =
-    // r / d and q = sin^2(theta) / s^2, the ray goes t = d cos(theta) - r sqrt(1 - q) to p, which
-    // is t sin(theta) away from the axis and r cos(alpha) before the center:
-    //   t / r      = (cos(theta) - s sqrt(1 - q)) / s,
-    //   cos(alpha) = sin(theta) sqrt(q) + cos(theta) sqrt(1 - q).
-    const float s = sqrtf(cone.sin2);
-    const float sin2_theta = local.x * local.x + local.y * local.y;
-    const float q = glm::min(1.0f, sin2_theta / cone.sin2);
-    const float t_over_r = (local.z - s * sqrtf(1 - q)) / s;
-    const float cos_alpha = sqrtf(sin2_theta * q) + local.z * sqrtf(1 - q);
-    const Vec3 n =
-        normalize(frame.to_world(Vec3(local.x * t_over_r, local.y * t_over_r, -cos_alpha)));
-    const Vec3 p = sphere.center + sphere.radius * n;
-    const float pdf = cone_pdf(cone.one_minus_cos);
+    // The near point in that direction, by the sphere's normal there: from the point of the line
+    // that is next to the center back by half a chord. At the rim rounding may take the line past
+    // the sphere; then it is the point next to the line.
+    const DVec3 f = DVec3(from) - sphere.center, d(wi);
+    const DVec3 middle = f - (dot(f, d) / dot(d, d)) * d;
+    const double chord2 = (sphere.radius * sphere.radius - dot(middle, middle)) / dot(d, d);
+    const DVec3 n = glm::normalize(middle - sqrt(glm::max(chord2, 0.0)) * d);
+    const Vec3 p(sphere.center + sphere.radius * n);
+    const float error = error_on_sphere(sphere, p, n), pdf = cone_pdf(cone.one_minus_cos);
     return {p, error, n, wi, length(p - from), radiance, pdf, false, pdf < infinity};
 }
 

@@ -1,6 +1,7 @@
 // The `shapes` block: spheres, boxes, quads, planes, triangles, transformed into world space.
 // Meshes are in read_mesh.cpp and read_procedural.cpp.
 #include "common/geometry/make_quad.h"
+#include "common/geometry/parameters.h"
 #include "common/scene/keys.h"
 #include "common/scene/scene_builder.h"
 #include "common/scene/triangle_runs.h"
@@ -12,6 +13,9 @@
 namespace raylab {
 namespace {
 
+// The largest sphere, in distances that the camera sees, that is traced as one.
+constexpr double max_radius_seen = 0x1p30;
+
 double norm(DVec3 v) { return std::sqrt(dot(v, v)); }
 
 template <int N> void read_vertices(const Node& node, DVec3 (&v)[N]) {
@@ -22,6 +26,31 @@ template <int N> void read_vertices(const Node& node, DVec3 (&v)[N]) {
 
 DVec3 quad_normal(const Vec3 (&v)[4]) {
     return cross(DVec3(v[1]) - DVec3(v[0]), DVec3(v[3]) - DVec3(v[0]));
+}
+
+// How far along the unit vector n rounding to single precision may have moved a corner.
+double rounding_along(const Vec3 (&v)[4], DVec3 n) {
+    Vec3 largest(0);
+    for (const Vec3& corner : v) largest = glm::max(largest, abs(corner));
+    return unit_roundoff * dot(DVec3(largest), glm::abs(n));
+}
+
+// How far rounding may have moved v[2], unit normal n, off the plane of the others: by its own
+// rounding and by theirs, in proportion to v[2] = (1 - a - b) v[0] + a v[1] + b v[3].
+double bend_by_rounding(const Vec3 (&v)[4], DVec3 n) {
+    const Vec2 c = affine_coordinates(v[0], v[1], v[3], DVec3(v[2]));
+    return rounding_along(v, n) * (1 + std::fabs(1 - c.x - c.y) + std::fabs(c.x) + std::fabs(c.y));
+}
+
+// What to say of a quad that is no longer one after rounding.
+std::string precision_hint(const Vec3 (&v)[4], double size) {
+    float largest = 0;
+    for (const Vec3& corner : v) largest = std::max(largest, max_component(abs(corner)));
+    const double rounding = unit_roundoff * largest;
+    if (size > 1024 * rounding) return "";
+    return fmt::format("; so far from the origin single precision rounds a coordinate by up to "
+                       "{:.2g}: move the scene nearer to it",
+                       rounding);
 }
 
 } // namespace
@@ -102,30 +131,33 @@ void SceneBuilder::read_sphere(const Node& shape, int material) {
             .at("scale")
             .fail("expected one factor for all axes: a sphere stretched "
                   "along one axis is no sphere; use a mesh");
-    const Vec3 center = placed(shape, transform, shape.at("center").vec3());
+    const DVec3 at = shape.at("center").vec3(), center = transform.point(at);
+    placed(shape, transform, at);
     const double radius = scale * shape.at("radius").positive();
     if (!std::isfinite(float(radius)) || !(float(radius) > 0))
         shape.fail(
             fmt::format("the transform makes the radius {}, beyond single precision", radius));
 
-    // A ground so large that the camera sees it flat: single precision resolves the distance to the
-    // surface only to about radius * 2^-24, so a plane is not only faster but nearer to the truth.
-    const DVec3 to_camera = DVec3(scene_.camera.position) - DVec3(center);
+    // Double holds a sphere's surface to about radius * 2^-52. A ground so large that this could be
+    // seen is replaced by the plane that touches it below the camera: the horizon, sqrt(2 height /
+    // radius) below eye level, rises by less than 5e-5.
+    const DVec3 to_camera = DVec3(scene_.camera.position) - center;
     const double height = norm(to_camera) - radius;
-    if (height >= 0 && radius > 1e4 * height && norm(to_camera) > 0) {
+    const double seen = std::max(height, double(scene_.camera.focus_distance));
+    if (height >= 0 && radius > max_radius_seen * seen) {
         if (is_emissive(scene_.materials[material]))
             shape.fail(
                 "the camera is so near to this glowing sphere that it would have to become a "
                 "plane, which is too large to be a light; use a quad");
         const DVec3 normal = to_camera / norm(to_camera);
         scene_.planes.push_back(
-            {Vec3(DVec3(center) + radius * normal), Vec3(normal), {next_id_++, material, -1}});
+            {Vec3(center + radius * normal), Vec3(normal), {next_id_++, material, -1}});
         scene_.warnings.push_back(shape.place() +
-                                  ": a sphere of more than 10000 times the camera's "
-                                  "height above it is replaced by a plane; write a plane");
+                                  ": a sphere of more than 10^9 times the distances that the "
+                                  "camera sees is replaced by a plane; write a plane");
         return;
     }
-    scene_.spheres.push_back({center, float(radius), {next_id_++, material, -1}});
+    scene_.spheres.push_back({center, radius, {next_id_++, material, -1}});
 }
 
 // Six faces over eight corners that are rounded once, so that neighbours share their edges' bits.
@@ -166,12 +198,13 @@ void SceneBuilder::add_quad(const Node& shape, const Vec3 (&v)[4], int material)
     const double diagonal =
         std::max(norm(DVec3(v[2]) - DVec3(v[0])), norm(DVec3(v[3]) - DVec3(v[1])));
     if (!(norm(n) > 1e-12 * diagonal * diagonal))
-        shape.fail("expected a quad with an area, found corners 0, 1 and 3 in one line");
+        shape.fail("expected a quad with an area, found corners 0, 1 and 3 in one line" +
+                   precision_hint(v, diagonal));
     const DVec3 normal = n / norm(n);
     for (int i = 0; i < 4; ++i) {
         const DVec3 here(v[i]), next(v[(i + 1) % 4]), before(v[(i + 3) % 4]);
         const double away = std::fabs(dot(normal, here - DVec3(v[0])));
-        if (away > 1e-4 * diagonal)
+        if (away > 1e-4 * diagonal + bend_by_rounding(v, normal))
             shape.fail(
                 fmt::format("expected a flat quad, found corner {} at {:.3g} from the plane of "
                             "the others; use two triangles",
@@ -180,8 +213,8 @@ void SceneBuilder::add_quad(const Node& shape, const Vec3 (&v)[4], int material)
             shape.fail(
                 fmt::format("expected a convex quad with its corners in order around the edge, "
                             "found a turn the other way at corner {}; reorder the corners or use "
-                            "two triangles",
-                            i));
+                            "two triangles{}",
+                            i, precision_hint(v, diagonal)));
     }
     scene_.quads.push_back(make_quad({v[0], v[1], v[2], v[3]}, {next_id_++, material, -1}));
 }

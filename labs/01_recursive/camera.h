@@ -13,14 +13,17 @@ inline Ray camera_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_le
     // Pixels to the image plane at distance 1: x to the right, y upwards, so rows are turned over.
     const float sx = (2 * (x + u_film.x) / camera.width - 1) * camera.half_width;
     const float sy = (1 - 2 * (y + u_film.y) / camera.height) * camera.half_height;
-    const Vec3 d = camera.forward + sx * camera.right + sy * camera.up;
-    if (camera.lens_radius == 0) return {camera.position, normalize(d)};
+    if (camera.lens_radius == 0)
+        return {camera.position, normalize(camera.forward + sx * camera.right + sy * camera.up)};
 
     // A thin lens: wherever on the lens the ray starts, it meets the plane in focus at one point.
-    const Vec3 focus = camera.position + camera.focus_distance * d;
+    // The way there, in the camera's frame, is (sx, sy, 1) focus_distance - (lens, 0). In world
+    // space it would be a difference of positions, and far from the origin all digits would cancel.
     const Vec2 lens = camera.lens_radius * sample_disk(u_lens);
+    const Vec2 turn = lens / camera.focus_distance;
     const Vec3 o = camera.position + lens.x * camera.right + lens.y * camera.up;
-    return {o, normalize(focus - o)};
+    return {o,
+            normalize(camera.forward + (sx - turn.x) * camera.right + (sy - turn.y) * camera.up)};
     //| not_implemented("1.1", "camera_ray()");
     //| return {camera.position, camera.forward};
     //]

@@ -19,7 +19,7 @@ namespace raylab::lab01 {
 // The smallest t in (0, ray.t_max) at which the ray meets the sphere, from outside or inside.
 inline bool hit_sphere(const Sphere& sphere, const Ray& ray, float& t) {
     //[ task 1.2
-    const DVec3 f = DVec3(ray.o) - DVec3(sphere.center), d(ray.d);
+    const DVec3 f = DVec3(ray.o) - sphere.center, d(ray.d);
     const double r = sphere.radius;
     const double a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r * r;
 

@@ -50,7 +50,7 @@ TEST(FURN_CHORD, the_mean_chord_of_a_closed_sphere_is_four_thirds_of_its_radius)
             }
             if (i >= 0) naive_sum += t;
             const Vec3 p = naive_ray(t);
-            naive_ray = {p, random.cosine_direction(normalize(sphere.center - p))};
+            naive_ray = {p, random.cosine_direction(normalize(Vec3(sphere.center) - p))};
         }
         char at[32];
         std::snprintf(at, sizeof at, ", R = %g", r);

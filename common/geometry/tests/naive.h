@@ -8,9 +8,9 @@ namespace raylab::naive {
 
 // smallpt's sphere (Beason, 2007), in float, hits nearer than t_min dropped.
 inline bool sphere(const Sphere& sphere, const Ray& ray, float t_min, float& t) {
-    const Vec3 op = sphere.center - ray.o;
-    const float b = dot(op, ray.d);
-    float det = b * b - dot(op, op) + sphere.radius * sphere.radius;
+    const Vec3 op = Vec3(sphere.center) - ray.o;
+    const float b = dot(op, ray.d), r = float(sphere.radius);
+    float det = b * b - dot(op, op) + r * r;
     if (det < 0) return false;
     det = sqrtf(det);
     t = b - det > t_min ? b - det : b + det;

@@ -117,6 +117,20 @@ TEST(SphLight, a_point_on_the_surface_counts_as_inside) {
     }
 }
 
+// Far away in x alone: only where its surface faces x is a point less certain than it is at 0.
+TEST(SphLight, each_axis_is_rounded_by_its_own_coordinate) {
+    test::Random random(7);
+    test::LightScene scene;
+    scene.add(Vec3(65536, 0.05f, 0), 0.01f);
+    const Vec3 from(65536, 0, 0.001f);
+    ASSERT_TRUE(cone_around(scene.spheres[0], from).exists);
+    for (int i = 0; i < 1000; ++i) {
+        const LightSample s = sample_light<F>(scene.view(), 0, from, random.square());
+        ASSERT_TRUE(s.valid);
+        ASSERT_LE(s.error, 1e-8 + 65536 * 0x1p-22 * std::fabs(s.n.x));
+    }
+}
+
 TEST(SphLight, scaling_by_a_power_of_two_changes_no_bit_but_the_scale) {
     test::Random random(5);
     for (const float k : {0x1p-20f, 0x1p20f})

@@ -435,7 +435,7 @@ const Malformed malformed[] = {
      "s.json:11:38: /shapes/0/vertices: expected an array of 3 points, found an array of 2"},
     {"glowing ground sphere",
      "\"center\": [0, 0, 0], \"radius\": 1, \"material\": \"white\"",
-     "\"center\": [0, -1e6, 5], \"radius\": 999999, \"material\": \"lamp\"",
+     "\"center\": [0, -1e12, 5], \"radius\": 999999999999, \"material\": \"lamp\"",
      "s.json:11:5: /shapes/0: the camera is so near to this glowing sphere that it would have to become a plane, which is too large to be a light; use a quad"},
     {"missing mesh",
      "{\"kind\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"material\": \"white\"}",

@@ -1,4 +1,5 @@
 // Shapes in world space: transforms, orientation, ids, lights, and the camera.
+#include "common/geometry/intersect.h"
 #include "common/scene/tests/scene_files.h"
 #include "common/scene/transform.h"
 #include "common/scene/triangle_runs.h"
@@ -109,29 +110,68 @@ TEST(Transform, NormalsStayOrthogonalToTangents) {
     }
 }
 
-TEST(GroundSphere, BecomesThePlaneItsSurfaceIsNearTheCamera) {
-    const auto ground = [](double radius, double height) { // the camera is at (0, 0, 5)
-        return load(scene_of_shapes(fmt::format(
-            R"({{"kind": "sphere", "center": [0, {}, 5], "radius": {}, "material": "white"}})",
-            -radius - height, radius)));
-    };
-    const Scene flat = ground(1e6, 1);
+// The camera stands at (0, 0, 5) and looks at the origin. center: as written in the file.
+Scene ground(double radius, double height) {
+    return load(scene_of_shapes(fmt::format(
+        R"({{"kind": "sphere", "center": [0, {}, 5], "radius": {}, "material": "white"}})",
+        -radius - height, radius)));
+}
+
+// How far below eye level the ground ends: by halving, with rays towards it.
+double horizon(const Scene& scene) {
+    double sky = 0, below = 1;
+    for (int i = 0; i < 40; ++i) {
+        const double dip = (sky + below) / 2;
+        const Ray ray{Vec3(0, 0, 5), Vec3(std::cos(dip), -std::sin(dip), 0)};
+        (intersect<feature::all>(view(scene), ray).found() ? below : sky) = dip;
+    }
+    return below;
+}
+
+// cos(dip) = r / (r + h).
+TEST(GroundSphere, HasItsHorizonAtEveryHeight) {
+    for (const double radius : {100.0, 2e4, 1e6, 7.3e6})
+        for (const double height : {0.1, 1.9, 1.99, 2.0, 2.01, 2.1, 33.3}) {
+            const Scene scene = ground(radius, height);
+            ASSERT_EQ(scene.spheres.size(), 1u) << radius;
+            EXPECT_TRUE(scene.warnings.empty());
+            const double dip = std::atan(std::sqrt(height * (2 * radius + height)) / radius);
+            EXPECT_NEAR(horizon(scene) / dip, 1, 1e-4) << radius << " " << height;
+            // Straight down; a center or a radius in single precision would be .25 off at 7.3e6.
+            const Hit hit = intersect<feature::all>(view(scene), {Vec3(0, 0, 5), Vec3(0, -1, 0)});
+            EXPECT_NEAR(hit.t / height, 1, 1e-6) << radius;
+        }
+}
+
+// Beyond what double holds: the plane that touches it below the camera.
+TEST(GroundSphere, BecomesAPlaneWhereItsCurveCannotBeSeen) {
+    const Scene flat = ground(1e12, 2);
     ASSERT_EQ(flat.planes.size(), 1u);
     EXPECT_TRUE(flat.spheres.empty());
     EXPECT_EQ(flat.warnings.size(), 1u);
-    // Along (0.8, -0.6, 0) the plane is at 1 / 0.6, and the sphere at that to 1e-6. In single
-    // precision the sphere's |o - c|^2 - r^2 cancels to nothing but rounding error.
-    const Plane& plane = flat.planes[0];
-    const DVec3 d(0.8, -0.6, 0);
-    const double t =
-        dot(DVec3(plane.normal), DVec3(plane.point) - DVec3(0, 0, 5)) / dot(DVec3(plane.normal), d);
-    EXPECT_NEAR(t * 0.6, 1, 1e-6);
-    const float above = 1e6f + 1, b = 0.6f * above, c = above * above - 1e6f * 1e6f;
-    EXPECT_GT(std::fabs(c / (b + sqrtf(b * b - c)) * 0.6 - 1), 1e-3) << "the naive sphere";
+    EXPECT_LT(horizon(flat), 1e-6);
+    EXPECT_EQ(intersect<feature::all>(view(flat), {Vec3(0, 0, 5), Vec3(0, -1, 0)}).t, 2);
 
-    EXPECT_EQ(ground(0.9e4, 1).planes.size(), 0u);
-    EXPECT_EQ(ground(1.1e4, 1).planes.size(), 1u);
-    EXPECT_EQ(ground(1e6, -1).planes.size(), 0u) << "from inside its curve can be seen";
+    EXPECT_EQ(ground(5e9, 1).planes.size(), 0u);
+    EXPECT_EQ(ground(6e9, 1).planes.size(), 1u) << "2^30 times the distance to what it looks at";
+    EXPECT_EQ(ground(6e9, 10).planes.size(), 0u) << "2^30 times the height";
+    EXPECT_EQ(ground(1e12, -1).planes.size(), 0u) << "from inside its curve can be seen";
+    EXPECT_EQ(ground(1, 0).planes.size(), 0u) << "a ball that the camera touches";
+}
+
+// Corners rounded at 10^4 lie up to some 10^-3 off the plane of a unit box's face.
+TEST(Box, IsFlatWithinRoundingWhereverItIs) {
+    for (const double away : {0.0, 1e2, 1e4, 1e5, 1e6})
+        for (const char* shape : {"box", "quad"}) {
+            const std::string what = shape == std::string("box")
+                                         ? R"("low": [-0.5, -0.5, -0.5], "high": [0.5, 0.5, 0.5])"
+                                         : R"("vertices": [[0,0,0], [1,0,0], [0.8,1,0], [0,1,0]])";
+            const Scene scene = load(scene_of_shapes(fmt::format(
+                R"({{"kind": "{}", {}, "material": "white", "transform": {{"rotate":
+                    [{{"axis": [1, 2, 3], "angle_deg": 33}}], "translate": [{}, 0, {}]}}}})",
+                shape, what, away, -away)));
+            EXPECT_EQ(scene.quads.size(), shape == std::string("box") ? 6u : 1u);
+        }
 }
 
 TEST(Ids, CountInFileOrderWithoutWhatIsLeftOutAndLightsFollowThem) {
