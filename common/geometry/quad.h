@@ -27,9 +27,14 @@ HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
     const double error =
         edge_error(glm::max(glm::max(a.width, b.width), glm::max(c.width, d.width)),
                    glm::max(glm::max(a.size, b.size), glm::max(c.size, d.size)));
-    const double diagonal = edge(c, a);
-    const bool in_first = encloses(edge(a, b), edge(b, c), diagonal, error);
-    const bool in_second = encloses(edge(c, d), edge(d, a), -diagonal, error);
+    const double ab = edge(a, b), bc = edge(b, c), cd = edge(c, d), da = edge(d, a),
+                 ca = edge(c, a);
+    bool in_first = encloses(ab, bc, ca, error), in_second = encloses(cd, da, -ca, error);
+    if (!(in_first | in_second)) return false;
+    if (in_first && is_close(ab, bc, ca, error))
+        in_first = encloses_closely(ray, quad.v[0], quad.v[1], quad.v[2]);
+    if (in_second && !in_first && is_close(cd, da, -ca, error))
+        in_second = encloses_closely(ray, quad.v[0], quad.v[2], quad.v[3]);
     if (!(in_first | in_second)) return false;
     return intersect(exact_plane(quad, in_first), ray.ray, t);
 }

@@ -7,6 +7,10 @@
 //
 // In float the far corners of a large face shift its edges by their own rounding: a ray that starts
 // a few ulps above such a face, beside an edge, could find neither it nor its neighbour.
+//
+// What double leaves open is a matter of the face's distance. A face smaller than that would be hit
+// by rays that pass it far away, so an edge too close to call is looked at again, with an error in
+// proportion to its own length.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -40,8 +44,18 @@ struct ShearedRay {
     // The corner moved along d into the plane z = o.z.
     HD Corner operator()(const Vec3& v) const {
         const float* p = &v.x;
-        const double z = double(p[kz]) - oz;
-        const double x = (double(p[kx]) - ox) - sx * z, y = (double(p[ky]) - oy) - sy * z;
+        return sheared(double(p[kx]) - ox, double(p[ky]) - oy, double(p[kz]) - oz);
+    }
+
+    // The way from corner a to corner b, likewise: of their difference, and as exact as that.
+    HD Corner between(const Vec3& a, const Vec3& b) const {
+        const float *p = &a.x, *q = &b.x;
+        return sheared(double(q[kx]) - p[kx], double(q[ky]) - p[ky], double(q[kz]) - p[kz]);
+    }
+
+  private:
+    HD Corner sheared(double x, double y, double z) const {
+        x -= sx * z, y -= sy * z;
         const double width = fabs(x) + fabs(y);
         return {x, y, width, width + fabs(z)};
     }
@@ -60,6 +74,31 @@ HD double edge_error(double width, double size) { return 0x1p-49 * width * size;
 HD bool encloses(double e0, double e1, double e2, double error) {
     const double least = glm::min(glm::min(e0, e1), e2), most = glm::max(glm::max(e0, e1), e2);
     return (least >= -error) != (most <= error);
+}
+
+// Is an edge of a triangle that is enclosed too close to call?
+HD bool is_close(double e0, double e1, double e2, double error) {
+    const double least = glm::min(glm::min(e0, e1), e2), most = glm::max(glm::max(e0, e1), e2);
+    return (least <= error) & (most >= -error);
+}
+
+// The same edge by its way: a x b = a x (b - a). The way's x and y are off by less than 2^-51 times
+// its own size; so an edge of length l is passed on both sides within l 2^-49 size, not anywhere
+// within width 2^-49 size.
+HD double edge_error(const Corner& a, const Corner& way) {
+    return 0x1p-49 * (a.size * way.width + a.width * way.size);
+}
+
+// encloses() for a triangle by its ways: slower, and needed only if is_close().
+HD_RARE bool encloses_closely(const ShearedRay& ray, const Vec3& v0, const Vec3& v1,
+                              const Vec3& v2) {
+    const Corner a = ray(v0), b = ray(v1), c = ray(v2);
+    const Corner ab = ray.between(v0, v1), bc = ray.between(v1, v2), ca = ray.between(v2, v0);
+    const double e0 = edge(a, ab), e1 = edge(b, bc), e2 = edge(c, ca);
+    const double error0 = edge_error(a, ab), error1 = edge_error(b, bc), error2 = edge_error(c, ca);
+    const bool right = (e0 >= -error0) & (e1 >= -error1) & (e2 >= -error2);
+    const bool left = (e0 <= error0) & (e1 <= error1) & (e2 <= error2);
+    return right != left;
 }
 
 } // namespace raylab

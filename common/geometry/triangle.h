@@ -24,7 +24,11 @@ HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
     const Corner a = ray(triangle.v[0]), b = ray(triangle.v[1]), c = ray(triangle.v[2]);
     const double error = edge_error(glm::max(glm::max(a.width, b.width), c.width),
                                     glm::max(glm::max(a.size, b.size), c.size));
-    if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
+    const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
+    if (!encloses(ab, bc, ca, error)) return false;
+    if (is_close(ab, bc, ca, error) &&
+        !encloses_closely(ray, triangle.v[0], triangle.v[1], triangle.v[2]))
+        return false;
     return intersect(exact_plane(triangle), ray.ray, t);
 }
 //]

@@ -20,7 +20,10 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
     const Corner a = ray(v[0]), b = ray(v[1]), c = ray(v[2]);
     const double error =
         edge_error(std::max({a.width, b.width, c.width}), std::max({a.size, b.size, c.size}));
-    if (!encloses(edge(a, b), edge(b, c), edge(c, a), error)) return false;
+    const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
+    if (!encloses(ab, bc, ca, error)) return false;
+    // Too close for its distance: by the lengths of its edges, or a speck would be hit from afar.
+    if (is_close(ab, bc, ca, error) && !encloses_closely(ray, v[0], v[1], v[2])) return false;
 
     // Where the ray crosses the triangle's plane: t = n.(v0 - o) / n.d.
     const DVec3 corner(v[0]), normal = cross(DVec3(v[1]) - corner, DVec3(v[2]) - corner);

@@ -7,9 +7,9 @@
 // the scene's largest coordinate. Two things may put the place of a hit outside the cell that a
 // walk looks for it in. t has three roundings: 3 * 2^-53 |plane - o|, sideways. And the triangle
 // test takes a ray to pass an edge that it misses by 2^-49 of the corners' distance (edge_error()
-// in sheared_ray.h); by more, up to the ratio of its sides as the ray sees them, if that is a
-// needle. So for origins within some scenes around, and triangles that are not seen edge-on to the
-// last digits of a float, no hit is lost.
+// in sheared_ray.h); by more, up to the ratio of its length to what the ray sees of it, if it lies
+// along the ray. So for origins within some scenes around, and triangles that are not seen edge-on
+// to the last digits of a float, no hit is lost.
 //
 // A ray in a split plane may go either way: its t is 0 / 0, every comparison with it is false, and
 // the ray stays on the first side.

@@ -76,6 +76,41 @@ TEST(TRI_DEGEN, a_triangle_too_small_to_see_is_not_hit_from_afar) {
     figure("TRI-DEGEN", "hits of a speck of 1e-17 from a distance of 1", hits, 0);
 }
 
+// At a distance of 1 double resolves some 1e-15. That is room for a triangle's own size beside it,
+// not for the ray to pass it anywhere. The naive variant: one error for all edges, by the distance.
+TEST(TRI_DEGEN, a_tiny_triangle_or_quad_is_hit_by_what_meets_it_alone) {
+    Random random(24);
+    int hits = 0, quad_hits = 0, naive_hits = 0, missed = 0, quad_missed = 0;
+    for (int i = 0; i < rays(20'000, 1'000'000); ++i) {
+        const double size = std::pow(10, random.between(-16, -9));
+        const DVec3 x = size * random.unit();
+        const DVec3 y = size * glm::normalize(cross(x, random.unit()));
+        const Triangle triangle = make_triangle(Vec3(0), Vec3(x), Vec3(y));
+        const Quad quad = make_quad(Vec3(0), Vec3(x), Vec3(x + y), Vec3(y));
+        const Vec3 o = random.direction();
+        // Past it, by more than the rounding of a direction.
+        const DVec3 side = glm::normalize(cross(DVec3(o), random.unit()));
+        const DVec3 beside = std::pow(10, random.between(-6, 0)) * side;
+        const ShearedRay past({o, Vec3(glm::normalize(beside - DVec3(o)))});
+        float t;
+        hits += intersect(triangle, past, t);
+        quad_hits += intersect(quad, past, t);
+        const Corner a = past(triangle.v[0]), b = past(triangle.v[1]), c = past(triangle.v[2]);
+        naive_hits += encloses(
+            edge(a, b), edge(b, c), edge(c, a),
+            edge_error(std::max({a.width, b.width, c.width}), std::max({a.size, b.size, c.size})));
+        // At it, from as near as its size allows, unless it is seen edge-on.
+        if (fabs(dot(glm::normalize(cross(x, y)), DVec3(o))) < 0.1) continue;
+        const ShearedRay at({Vec3(1e3 * size * DVec3(o) + (x + y) / 4.0), -o});
+        missed += !intersect(triangle, at, t);
+        quad_missed += !intersect(quad, at, t);
+    }
+    figure("TRI-DEGEN", "hits of a tiny triangle by rays past it", hits, 0, naive_hits);
+    figure("TRI-DEGEN", "hits of a tiny quad by rays past it", quad_hits, 0);
+    figure("TRI-DEGEN", "rays that miss a tiny triangle", missed, 0);
+    figure("TRI-DEGEN", "rays that miss a tiny quad", quad_missed, 0);
+}
+
 TEST(TRI_DEGEN, a_needle_is_hit_where_it_is) {
     Random random(22);
     int found = 0, bad = 0;
