@@ -14,5 +14,6 @@ Run add_rare_cases(CLI::App& app);
 Run add_reference(CLI::App& app);
 Run add_scenes(CLI::App& app);
 Run add_export(CLI::App& app);
+Run add_import(CLI::App& app);
 
 } // namespace raylab::app

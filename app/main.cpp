@@ -22,6 +22,7 @@ constexpr Command commands[] = {
     {"demo", add_demo},           {"render", add_render},         {"compare", add_compare},
     {"bench", add_bench},         {"bench-rays", add_bench_rays}, {"rare-cases", add_rare_cases},
     {"reference", add_reference}, {"scenes", add_scenes},         {"export", add_export},
+    {"import", add_import},
 };
 
 // Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.

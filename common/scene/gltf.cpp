@@ -1,5 +1,6 @@
 // glTF 2.0 and GLB by tinygltf: the triangles of the file's scene in the rest pose, with their
 // materials and point lights. docs/formats.md says what is read, warned of and refused.
+#include "common/scene/gltf_camera.h"
 #include "common/scene/gltf_check.h"
 #include "common/scene/gltf_look.h"
 #include "common/scene/gltf_pose.h"
@@ -36,6 +37,10 @@ class GltfReader {
                                               model_.meshes.size()));
             if (node.mesh >= 0) read_mesh(node, nodes[index], *nodes_.to_world[index]);
             read_light(nodes[index], *nodes_.to_world[index]);
+            if (look_) // which takes all that is not geometry
+                if (auto camera = read_gltf_camera(file_.root, nodes[index],
+                                                   *nodes_.to_world[index], losses_))
+                    mesh_.cameras.push_back(*camera);
         }
         if (mesh_.triangles.empty())
             throw SceneError(

@@ -25,7 +25,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"shape quad", {"kind", "vertices", "material", "transform"}},
         {"shape plane", {"kind", "point", "normal", "material"}},
         {"shape triangle", {"kind", "vertices", "material", "transform"}},
-        {"shape mesh", {"kind", "file", "smooth", "material", "lights", "transform"}},
+        {"shape mesh", {"kind", "file", "smooth", "material", "materials", "lights", "transform"}},
         {"shape procedural", {"kind", "mesh", "triangles", "seed", "material", "transform"}},
         {"transform", {"scale", "rotate", "translate"}},
         {"rotate", {"axis", "angle_deg"}},

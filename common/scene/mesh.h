@@ -37,6 +37,14 @@ struct MeshLight {
     Vec3 intensity; // radiant intensity
 };
 
+// A perspective camera of a glTF file, in the file's frame.
+struct MeshCamera {
+    std::string name;
+    DVec3 position, forward, up; // directions of any length above 0
+    double vfov_deg = 45;
+    double aspect = 0; // width over height; 0: not told
+};
+
 struct Mesh {
     std::vector<DVec3>
         positions; // may be non-finite: triangles that use such a one are dropped later
@@ -47,14 +55,16 @@ struct Mesh {
     std::vector<MeshMaterial> materials;
     std::vector<Picture> pictures;
     std::vector<MeshLight> lights;
+    std::vector<MeshCamera> cameras;
     std::vector<std::string> warnings;
 };
 
 // Reads a file that a mesh file names, relative to it; throws SceneError.
 using ReadNamedFile = std::function<std::string(const std::string& name)>;
 
-// Wavefront OBJ. Throws SceneError as `name:line: expected ..., found ...`.
-Mesh parse_obj(std::string_view text, const std::string& name);
+// Wavefront OBJ. With `read`, the materials that `usemtl` names are read from its MTL files; what
+// is missing there is warned of. Throws SceneError as `name:line: expected ..., found ...`.
+Mesh parse_obj(std::string_view text, const std::string& name, const ReadNamedFile& read = {});
 
 // Does the scene want the file's own materials, or only its geometry?
 enum class MeshLook { own, none };
@@ -62,6 +72,14 @@ enum class MeshLook { own, none };
 // glTF 2.0, as text or as one binary file (GLB). Throws SceneError.
 Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
                 MeshLook look = MeshLook::own);
+
+// By the ending of the file's name: .obj, .gltf or .glb. Throws SceneError, also for another one.
+Mesh parse_mesh(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
+                MeshLook look);
+
+// How a scene calls the materials of a mesh file: by their names; a second Wood is "Wood 2", the
+// fifth material, if it has no name, "material 5".
+std::vector<std::string> material_keys(const Mesh& mesh);
 
 // Gives every triangle that has no normals one per corner: the mean of the faces' normals around
 // the same position, weighted by their angles there, so that it does not depend on how polygons

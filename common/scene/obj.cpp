@@ -1,8 +1,10 @@
-// Wavefront OBJ: what describes surfaces (v, vt, vn, f); groups, curves and lines are passed over.
+// Wavefront OBJ: what describes surfaces (v, vt, vn, f) and names their materials (usemtl, mtllib);
+// groups, curves and lines are passed over.
 // Own code, since tinyobjloader takes a garbled number for 0, trusts counts, and cuts polygons with
 // notches wrongly.
 #include "common/scene/located_json.h"
 #include "common/scene/mesh.h"
+#include "common/scene/mtl.h"
 #include "common/scene/obj_lines.h"
 #include "common/scene/polygon.h"
 #include "common/scene/scene_error.h"
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <span>
 
 namespace raylab {
@@ -26,7 +29,7 @@ enum Part { vertex, texture_coordinate, normal };
 
 class ObjReader {
   public:
-    explicit ObjReader(const std::string& name) : name_(name) {}
+    ObjReader(const std::string& name, const ReadNamedFile& read) : name_(name), read_(read) {}
 
     Mesh read(std::string_view text) {
         ObjLines lines(text);
@@ -42,9 +45,14 @@ class ObjReader {
                 mesh_.uvs.push_back(Vec2(numbers(words, 1)));
             else if (kind == "f")
                 add_face(words);
+            else if (kind == "usemtl" && read_)
+                material_ = material_named(std::string(lines.rest()));
+            else if (kind == "mtllib" && read_)
+                libraries_.emplace_back(lines.rest());
         }
         if (faces_.empty())
             throw SceneError(name_ + ": expected faces (lines that begin with f), found none");
+        if (!mesh_.materials.empty()) read_materials();
         for (const Face& face : faces_) cut(face); // they may name vertices that come later
         warn();
         return std::move(mesh_);
@@ -55,6 +63,7 @@ class ObjReader {
     struct Face {
         std::size_t first, count; // of corners_
         ObjWord highest;          // the corner with the highest vertex
+        int material;
     };
 
     [[noreturn]] void fail(const ObjWord& at, const std::string& what) const {
@@ -95,7 +104,7 @@ class ObjReader {
         if (count > max_polygon_corners)
             fail(words[0], fmt::format("expected a face of at most {} corners, found {}; split it",
                                        max_polygon_corners, count));
-        Face face{corners_.size(), count, words[1]};
+        Face face{corners_.size(), count, words[1], material_};
         int highest = -1;
         for (std::size_t i = 1; i < words.size(); ++i) {
             corners_.push_back(corner(words[i]));
@@ -165,8 +174,46 @@ class ObjReader {
             // A triangle has normals or texture coordinates at all its corners or at none.
             for (auto* part : {&triangle.normal, &triangle.uv})
                 if ((*part)[0] < 0 || (*part)[1] < 0 || (*part)[2] < 0) *part = {none, none, none};
+            triangle.material = material_of(face, triangle);
             mesh_.triangles.push_back(triangle);
         }
+    }
+
+    int material_named(const std::string& name) {
+        const auto [found, is_new] = material_index_.try_emplace(name, int(mesh_.materials.size()));
+        if (is_new) mesh_.materials.push_back({name, {}, -1});
+        return found->second;
+    }
+
+    void read_materials() {
+        const MtlLibrary library = read_mtl(libraries_, name_, read_, mesh_);
+        for (MeshMaterial& material : mesh_.materials) {
+            const auto found = library.find(material.name);
+            if (found != library.end())
+                material = found->second;
+            else
+                mesh_.warnings.push_back(
+                    fmt::format("{}: no MTL file describes the material {}; it "
+                                "is drawn in grey",
+                                name_, quote(material.name)));
+        }
+        for (const Face& face : faces_)
+            if (face.material < 0 && default_material_ < 0)
+                default_material_ = material_named("default");
+    }
+
+    // A picture needs texture coordinates: faces without get the same material without.
+    int material_of(const Face& face, const MeshTriangle& triangle) {
+        const int material = face.material < 0 ? default_material_ : face.material;
+        if (material < 0 || mesh_.materials[material].picture < 0 || triangle.uv[0] >= 0)
+            return material;
+        const auto [found, is_new] = plain_.try_emplace(material, int(mesh_.materials.size()));
+        if (is_new) {
+            MeshMaterial plain = mesh_.materials[material];
+            plain.picture = -1;
+            mesh_.materials.push_back(plain);
+        }
+        return found->second;
     }
 
     void check(int& index, std::size_t size) {
@@ -189,7 +236,12 @@ class ObjReader {
     static constexpr int none = -1, missing = std::numeric_limits<int>::max();
 
     const std::string& name_;
+    const ReadNamedFile& read_;
     Mesh mesh_;
+    std::map<std::string, int> material_index_;
+    std::map<int, int> plain_; // of a material with a picture, the one without
+    std::vector<std::string> libraries_;
+    int material_ = none, default_material_ = none; // current; of faces that name none
     std::vector<Corner> corners_;
     std::vector<Face> faces_;
     int without_area_ = 0, missing_ = 0;
@@ -197,8 +249,8 @@ class ObjReader {
 
 } // namespace
 
-Mesh parse_obj(std::string_view text, const std::string& name) {
-    return ObjReader(name).read(text);
+Mesh parse_obj(std::string_view text, const std::string& name, const ReadNamedFile& read) {
+    return ObjReader(name, read).read(text);
 }
 
 } // namespace raylab

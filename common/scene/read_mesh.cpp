@@ -5,12 +5,14 @@
 #include "common/scene/read_file.h"
 #include "common/scene/scene_builder.h"
 #include "common/scene/scene_error.h"
+#include "common/scene/suggest.h"
 #include "common/scene/triangle_runs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace raylab {
@@ -27,30 +29,54 @@ DVec3 unit_or(DVec3 n, DVec3 otherwise) {
     return size > 0 && std::isfinite(size) ? n / size : otherwise;
 }
 
+bool is_mesh_name(const std::string& name) {
+    const std::string extension = extension_of(name);
+    return extension == ".obj" || extension == ".gltf" || extension == ".glb";
+}
+
 } // namespace
+
+Mesh parse_mesh(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
+                MeshLook look) {
+    if (!is_mesh_name(name)) throw SceneError(name + ": expected a mesh file: .obj, .gltf or .glb");
+    if (extension_of(name) == ".obj")
+        return parse_obj(bytes, name, look == MeshLook::own ? read : ReadNamedFile());
+    return parse_gltf(bytes, name, read, look);
+}
+
+std::vector<std::string> material_keys(const Mesh& mesh) {
+    std::vector<std::string> keys;
+    std::set<std::string> taken;
+    for (const MeshMaterial& material : mesh.materials) {
+        const std::string name =
+            material.name.empty() ? fmt::format("material {}", keys.size() + 1) : material.name;
+        std::string key = name;
+        for (int i = 2; !taken.insert(key).second; ++i) key = fmt::format("{} {}", name, i);
+        keys.push_back(key);
+    }
+    return keys;
+}
 
 void SceneBuilder::read_mesh(const Node& shape) {
     const Node file = shape.at("file");
-    const std::string extension = extension_of(file.string());
-    if (extension != ".obj" && extension != ".gltf" && extension != ".glb")
-        file.fail_expected("a mesh file: .obj, .gltf or .glb");
+    if (!is_mesh_name(file.string())) file.fail_expected("a mesh file: .obj, .gltf or .glb");
+    if (shape.has("material") && shape.has("materials"))
+        shape.at("materials")
+            .fail("expected material (for the whole mesh) or materials (for some of the file's "
+                  "own), found both; remove one");
     const std::string bytes = read_named_file(file);
     const std::filesystem::path path = folder_ / file.string();
     Mesh mesh;
     try {
-        if (extension == ".obj") {
-            mesh = parse_obj(bytes, path.string());
-        } else {
-            const auto read = [&](const std::string& name) {
-                std::string part;
-                const std::string problem = read_file(path.parent_path() / name, part);
-                if (!problem.empty()) throw SceneError(path.string() + ": " + problem);
-                hash_.add(part);
-                return part;
-            };
-            mesh = parse_gltf(bytes, path.string(), read,
-                              shape.has("material") ? MeshLook::none : MeshLook::own);
-        }
+        const auto read = [&](const std::string& name) {
+            std::string part;
+            const std::string problem = read_file(path.parent_path() / name, part);
+            if (!problem.empty()) throw SceneError(path.string() + ": " + problem);
+            hash_.add(part);
+            return part;
+        };
+        mesh = parse_mesh(bytes, path.string(), read,
+                          shape.has("material") ? MeshLook::none : MeshLook::own);
     } catch (const SceneError& error) {
         file.fail(error.what());
     }
@@ -58,12 +84,29 @@ void SceneBuilder::read_mesh(const Node& shape) {
     add_mesh(shape, file, mesh);
 }
 
-// The scene's material for each of the mesh's own, which are used where the shape names none.
-std::vector<int> SceneBuilder::add_mesh_materials(const Node& file, const Mesh& mesh) {
+// The scene's material for each of the mesh's own, which are used where the shape names none: the
+// one that the shape's "materials" say, or the file's.
+std::vector<int> SceneBuilder::add_mesh_materials(const Node& shape, const Node& file,
+                                                  const Mesh& mesh) {
+    const std::vector<std::string> keys = material_keys(mesh);
+    std::map<std::string, int> instead;
+    if (const auto map = shape.find("materials"))
+        for (const auto& [key, material] : map->members()) {
+            if (std::find(keys.begin(), keys.end(), key) == keys.end())
+                material.fail(fmt::format(
+                    "the mesh file has no material {}{}", quote(key),
+                    keys.empty() ? "" : did_you_mean(key, keys) + "; it has " + listed(keys)));
+            instead[key] = material_named(material);
+        }
     std::vector<int> indices;
     using Key = std::tuple<int, float, float, float, Wrap, Wrap>;
     std::map<Key, int> textures; // several materials may have the same
-    for (const MeshMaterial& own : mesh.materials) {
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
+        if (const auto found = instead.find(keys[i]); found != instead.end()) {
+            indices.push_back(found->second);
+            continue;
+        }
+        const MeshMaterial& own = mesh.materials[i];
         Material material = own.material;
         if (own.picture >= 0) {
             const Vec3 factor = material.reflectance;
@@ -103,7 +146,7 @@ void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
                               max_triangles));
     const auto named = shape.find("material");
     const int material = named ? material_named(*named) : -1;
-    const std::vector<int> own = named ? std::vector<int>{} : add_mesh_materials(from, mesh);
+    const std::vector<int> own = named ? std::vector<int>{} : add_mesh_materials(shape, from, mesh);
     const auto smooth_node = shape.find("smooth");
     const bool flat = smooth_node && !smooth_node->boolean();
     if (smooth_node && !flat &&

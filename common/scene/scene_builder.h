@@ -59,7 +59,7 @@ class SceneBuilder {
     void add_quad(const Node& shape, const Vec3 (&v)[4], int material);
     // `from`: the key that says which mesh it is.
     void add_mesh(const Node& shape, const Node& from, Mesh& mesh);
-    std::vector<int> add_mesh_materials(const Node& file, const Mesh& mesh);
+    std::vector<int> add_mesh_materials(const Node& shape, const Node& file, const Mesh& mesh);
     void add_mesh_lights(const Node& shape, const Mesh& mesh, const Transform& transform);
 
     Material read_material(const Node& node);
