@@ -1,4 +1,4 @@
-// raylab compare A B: error metrics, z-map, verdict, picture.
+// raylab compare A B, or A1 A2 ... --with B1 B2 ...: error metrics, z-map, verdict, picture.
 #include "app/commands.h"
 #include "app/output.h"
 #include "common/image/image_file.h"
@@ -14,11 +14,35 @@ namespace raylab::app {
 
 namespace {
 
-struct CompareOptions {
-    std::string a, b, reference, folder;
-    double alpha = 1e-3;
+struct CompareCommand {
+    std::vector<std::string> images, with; // two images, or replicates of either side
+    std::string reference, folder;
+    CompareOptions options;
     bool json = false;
 };
+
+// The images of one side, which must be renders of one scene with seeds of their own.
+Replicates read_side(const std::vector<std::string>& paths) {
+    Replicates side;
+    for (const std::string& path : paths) {
+        Image image = read_image(path);
+        for (int r = 0; r < side.count(); ++r) {
+            const Image& other = side.images[r];
+            const auto refuse = [&](const std::string& what) {
+                throw UsageError(fmt::format("'{}' and '{}' {}", paths[r], path, what));
+            };
+            if (image.width != other.width || image.height != other.height)
+                refuse("are not of the same size: replicates show one picture");
+            if (image.provenance.scene_hash != other.provenance.scene_hash)
+                refuse("show different scenes: replicates differ in their seed alone");
+            if (image.mean == other.mean)
+                refuse("are the same image: replicates need seeds of their own, since what they "
+                       "differ by tells their noise");
+        }
+        side.add(std::move(image));
+    }
+    return side;
+}
 
 void print_metrics(const std::string& name, const Metrics& metrics) {
     fmt::print("{:24} relMSE {:.3g}, mean {:+.3f} %", name, metrics.rel_mse,
@@ -46,12 +70,17 @@ void print_z_map(const ZMap& map) {
     }
 }
 
+std::string side_name(const std::vector<std::string>& paths) {
+    return paths.size() == 1 ? paths[0] : fmt::format("{} and {} more", paths[0], paths.size() - 1);
+}
+
 // The two side by side, their difference and the z-map, on one page.
-void write_page(const CompareOptions& options, const Comparison& comparison, const Image& a,
-                const Image& b) {
+void write_page(const CompareCommand& command, const Comparison& comparison) {
+    const Image &a = comparison.mean_a, &b = comparison.mean_b;
+    const std::string title = side_name(command.images) + " against " + side_name(command.with);
     ReportEntry entry;
     entry.scene = b.provenance.scene;
-    entry.title = options.a + " against " + options.b;
+    entry.title = title;
     entry.lab = a.provenance.renderer;
     entry.passed = comparison.verdict.passed;
     entry.verdict = comparison.verdict;
@@ -60,54 +89,74 @@ void write_page(const CompareOptions& options, const Comparison& comparison, con
     entry.image = a;
     entry.reference = b;
     entry.details = comparison;
-    write_report({"raylab compare", "", "raylab compare " + options.a + " " + options.b, {entry}},
-                 options.folder);
+    write_report({"raylab compare", "", "raylab compare " + title, {entry}}, command.folder);
 }
 
-ExitCode run_compare(const CompareOptions& options) {
-    if (!options.folder.empty()) prepare_output(options.folder + "/report.html");
-    const Image a = read_image(options.a), b = read_image(options.b);
-    std::optional<Image> reference;
-    if (!options.reference.empty()) reference = read_image(options.reference);
-    const Comparison comparison = compare(a, b, reference ? &*reference : nullptr, options.alpha);
-    if (!options.folder.empty()) write_page(options, comparison, a, b);
-    if (options.json) {
-        fmt::print("{}\n", nlohmann::json(comparison).dump(2));
+void print(const Comparison& comparison) {
+    fmt::print("{}\n", comparison.verdict.sentence);
+    for (const std::string& hint : comparison.verdict.hints) fmt::print("note: {}\n", hint);
+    if (comparison.equal || comparison.z_map.z.empty()) return;
+    if (comparison.metrics_b) {
+        print_metrics("A against the reference", comparison.metrics);
+        print_metrics("B against the reference", *comparison.metrics_b);
     } else {
-        fmt::print("{}\n", comparison.verdict.sentence);
-        for (const std::string& hint : comparison.verdict.hints) fmt::print("note: {}\n", hint);
-        if (!comparison.equal && !comparison.z_map.z.empty()) {
-            if (comparison.metrics_b) {
-                print_metrics("A against the reference", comparison.metrics);
-                print_metrics("B against the reference", *comparison.metrics_b);
-            } else {
-                print_metrics("A against B", comparison.metrics);
-            }
-            print_z_map(comparison.z_map);
-        }
+        print_metrics("A against B", comparison.metrics);
     }
-    return comparison.verdict.passed ? ExitCode::success : ExitCode::judged_failed;
+    print_z_map(comparison.z_map);
+}
+
+ExitCode run_compare(CompareCommand command) {
+    if (command.with.empty()) {
+        if (command.images.size() != 2)
+            throw UsageError("two images are compared, or replicates of either side: "
+                             "raylab compare A1 A2 --with B1 B2");
+        command.with = {command.images.back()};
+        command.images.pop_back();
+    }
+    if (!command.folder.empty()) prepare_output(command.folder + "/report.html");
+    const Replicates a = read_side(command.images), b = read_side(command.with);
+    std::optional<Image> reference;
+    if (!command.reference.empty()) reference = read_image(command.reference);
+    const Comparison comparison = compare(a, b, reference ? &*reference : nullptr, command.options);
+    if (!command.folder.empty()) write_page(command, comparison);
+    if (command.json)
+        fmt::print("{}\n", nlohmann::json(comparison).dump(2));
+    else
+        print(comparison);
+    return !comparison.decided         ? ExitCode::bad_usage
+           : comparison.verdict.passed ? ExitCode::success
+                                       : ExitCode::judged_failed;
 }
 
 } // namespace
 
 Run add_compare(CLI::App& app) {
-    auto options = std::make_shared<CompareOptions>();
-    app.description("Compare two images statistically: do they show the same? 0 yes, 1 no.");
-    app.add_option("A", options->a, "an image; .exr carries the variance that a verdict needs")
+    auto command = std::make_shared<CompareCommand>();
+    app.description("Compare two pictures statistically: do they show the same?");
+    app.add_option("IMAGES", command->images,
+                   "A and B; or, before --with, renders of A that differ in their seed")
         ->required();
-    app.add_option("B", options->b, "the image to compare it with")->required();
-    app.add_option("--reference", options->reference, "measure both against this image");
-    app.add_option("-o,--output", options->folder, "write report.html with the pictures here");
-    app.add_option("--alpha", options->alpha, "how often two equal renders may be called different")
+    app.add_option("--with", command->with,
+                   "renders of B that differ in their seed: what they differ by tells their noise");
+    app.add_option("--reference", command->reference, "measure both against this image");
+    app.add_flag("--exact", command->options.exact,
+                 "an image without variance, such as a closed form's, has no noise");
+    app.add_option("-o,--output", command->folder, "write report.html with the pictures here");
+    app.add_option("--alpha", command->options.alpha,
+                   "how often two equal renders may be called different")
         ->check(CLI::Range(1e-12, 0.5))
         ->capture_default_str();
-    app.add_flag("--json", options->json, "for programs");
-    app.footer("Examples:\n"
-               "  raylab compare out/cornell_01.exr out/cornell_02.exr\n"
-               "  raylab compare mine.exr theirs.exr --reference scenes/references/cornell.exr\n"
-               "  raylab compare mine.exr theirs.exr -o out/compare");
-    return [options] { return run_compare(*options); };
+    app.add_flag("--json", command->json, "for programs");
+    app.footer(
+        "Examples:\n"
+        "  raylab compare out/cornell_01.exr out/cornell_02.exr\n"
+        "  raylab compare mine.exr theirs.exr --reference scenes/references/cornell.exr\n"
+        "  raylab compare mine.exr --with theirs_seed1.pfm theirs_seed2.pfm -o out/compare\n"
+        "An .exr that raylab rendered with two samples a pixel or more knows its noise. Of any\n"
+        "other image give two replicates or more, of any format.\n"
+        "Exit code 0: they show the same; 1: they do not; 2: the noise that is known cannot\n"
+        "decide it, and the sentence says what would.");
+    return [command] { return run_compare(*command); };
 }
 
 } // namespace raylab::app

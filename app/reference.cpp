@@ -44,7 +44,7 @@ void make_reference(const ReferenceOptions& options, const std::string& name) {
     write_image(image, path);
     double error = 0, level = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
-        error += image.variance[i].y;
+        error += image.variance(i).y;
         level += image.mean[i].y;
     }
     const double pixels = static_cast<double>(image.pixels());

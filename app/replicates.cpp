@@ -31,12 +31,13 @@ void ReplicateMean::add(const Image& image) {
 
 Image ReplicateMean::mean() const {
     Image image = last_;
-    image.variance.resize(image.pixels());
+    image.error.resize(image.pixels());
     const double n = count_;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
         const DVec3 mean = sum_[i] / n;
         image.mean[i] = Vec3(mean);
-        image.variance[i] = Vec3(glm::max(DVec3(0), sum_squares_[i] / n - mean * mean) / (n - 1));
+        image.error[i] =
+            Vec3(glm::sqrt(glm::max(DVec3(0), sum_squares_[i] / n - mean * mean) / (n - 1)));
     }
     image.provenance.spp *= count_;
     return image;

@@ -16,7 +16,7 @@ struct ReplicateJob {
 // Renders replicate r. Adds the tracing seconds to *seconds if it is not null.
 Image render_replicate(const ReplicateJob& job, int r, double* seconds = nullptr);
 
-// Mean over replicates, and the variance of that mean per pixel, from their spread:
+// Mean over replicates, and the standard error of that mean per pixel, from their spread:
 //     var = sum (x_r - mean)^2 / (R (R - 1)).
 // Right for any sampler, also where samples of one replicate are not independent.
 class ReplicateMean {

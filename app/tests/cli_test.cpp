@@ -2,6 +2,7 @@
 // leaves no partial file behind.
 #include "app/tests/cli.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace raylab::app {
@@ -150,8 +151,50 @@ TEST_F(Cli, ImagesOfOneSceneAgreeAndOfAnotherDoNot) {
     EXPECT_EQ(raylab("compare " + in("a.exr") + " " + in("c.exr")).code, 1);
 }
 
-// The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their
-// own.
+// Radiance may be of any size that float holds; its square need not.
+TEST_F(Cli, ImagesOfAnyBrightnessAreCompared) {
+    for (const std::string radiance : {"1e25", "1e-22"}) {
+        write_scene("s.json", "\"radiance\": [1, 1, 1]",
+                    fmt::format("\"radiance\": [{0}, {0}, {0}]", radiance));
+        raylab("render 02 " + in("s.json") + " --spp 64 -o " + in("a.exr"));
+        raylab("render 01 " + in("s.json") + " --spp 64 --seed 2 -o " + in("b.exr"));
+        const Outcome outcome = raylab("compare " + in("a.exr") + " " + in("b.exr"));
+        EXPECT_EQ(outcome.code, 0) << radiance << "\n" << outcome.text;
+        write_scene("t.json", "\"radiance\": [1, 1, 1]",
+                    fmt::format("\"radiance\": [{0}, 1.5{1}, {0}]", radiance, radiance.substr(1)));
+        raylab("render 02 " + in("t.json") + " --spp 64 --seed 3 -o " + in("c.exr"));
+        EXPECT_EQ(raylab("compare " + in("a.exr") + " " + in("c.exr")).code, 1) << radiance;
+    }
+}
+
+TEST_F(Cli, CompareSaysWhatWouldDecide) {
+    write_scene("s.json");
+    const auto render = [&](const std::string& options, const std::string& name) {
+        EXPECT_EQ(raylab("render 02 " + in("s.json") + " " + options + " -o " + in(name)).code, 0);
+    };
+    render("--spp 64", "a.exr");
+    render("--spp 1 --seed 2", "one.exr");
+    render("--spp 32 --seed 3", "b1.pfm");
+    render("--spp 32 --seed 4", "b2.pfm");
+    const auto compare = [&](const std::string& words) {
+        return raylab("compare " + in("a.exr") + words);
+    };
+    for (const std::string other : {"one.exr", "b1.pfm"}) {
+        const Outcome outcome = compare(" " + in(other));
+        EXPECT_EQ(outcome.code, 2) << outcome.text;
+        EXPECT_NE(outcome.text.find("raylab compare A1 A2 --with B1 B2"), std::string::npos)
+            << outcome.text;
+    }
+    EXPECT_EQ(compare(" " + in("b1.pfm") + " --exact").code, 1);
+    EXPECT_EQ(compare(" --with " + in("b1.pfm") + " " + in("b2.pfm")).code, 0);
+    // Replicates are several, of one size, and differ.
+    EXPECT_EQ(compare("").code, 2);
+    EXPECT_EQ(compare(" " + in("b1.pfm") + " " + in("b2.pfm")).code, 2);
+    const Outcome same = compare(" --with " + in("b1.pfm") + " " + in("b1.pfm"));
+    EXPECT_EQ(same.code, 2);
+    EXPECT_NE(same.text.find("are the same image"), std::string::npos) << same.text;
+}
+
 // Its scenes, and its labs, are those of the tree that it was built in.
 TEST_F(Cli, AProgramThatWasCopiedDoesNothing) {
     fs::copy_file(RAYLAB_PROGRAM, in("raylab"));
@@ -160,6 +203,8 @@ TEST_F(Cli, AProgramThatWasCopiedDoesNothing) {
     EXPECT_NE(outcome.text.find("stands there no more"), std::string::npos) << outcome.text;
 }
 
+// The lecture's 1, 20 and 250 iterations come out of one run, and are the images of runs of their
+// own.
 TEST_F(Cli, SnapshotsAreTheImagesOfShorterRuns) {
     write_scene("s.json");
     const std::string scene = in("s.json");

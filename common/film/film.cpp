@@ -1,6 +1,7 @@
 #include "common/film/film.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raylab {
 
@@ -9,7 +10,7 @@ Image develop(const Film& film) {
     image.width = film.width;
     image.height = film.height;
     image.mean.resize(film.pixels.size(), Vec3(0));
-    image.variance.resize(film.pixels.size(), Vec3(infinity));
+    image.error.resize(film.pixels.size(), Vec3(infinity));
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
         const FilmPixel& pixel = film.pixels[i];
         const double n = pixel.samples;
@@ -19,7 +20,7 @@ Image develop(const Film& film) {
             (&image.mean[i].x)[c] = static_cast<float>(mean);
             if (n < 2) continue;
             const double variance = std::max(0.0, pixel.sum_squares[c] / n - mean * mean) / (n - 1);
-            (&image.variance[i].x)[c] = static_cast<float>(variance);
+            (&image.error[i].x)[c] = static_cast<float>(std::sqrt(variance));
         }
     }
     return image;

@@ -43,10 +43,10 @@ struct Film {
           pixels(static_cast<std::size_t>(film_width) * film_height, FilmPixel{}) {}
 };
 
-// Mean and variance of the mean of every pixel:
-//     mean = S / n,   var = (SS / n - mean^2) / (n - 1).
-// The variance takes the samples as independent, so for Sobol samples it is an upper estimate.
-// A pixel without samples is black with infinite variance.
+// Mean of every pixel and its standard error:
+//     mean = S / n,   error^2 = (SS / n - mean^2) / (n - 1).
+// The error takes the samples as independent, so for Sobol samples it is an upper estimate. With
+// less than two samples it is infinite; a pixel without samples is black.
 Image develop(const Film& film);
 
 } // namespace raylab

@@ -1,5 +1,7 @@
 // OpenEXR: float channels R, G, B, and variance.R, variance.G, variance.B (of the mean) where
-// known. Provenance is in attributes of the header, so that `exrheader` and other programs show it.
+// known. Where a variance does not fit into float, because radiance is above 1e19 or below 1e-19,
+// the channels are standard_error.R, .G and .B instead. Provenance is in attributes of the header,
+// so that `exrheader` and other programs show it.
 #include "common/image/formats.h"
 
 #include <ImfArray.h>
@@ -14,7 +16,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 namespace raylab::formats {
@@ -22,6 +27,8 @@ namespace {
 
 constexpr const char* mean_channels[] = {"R", "G", "B"};
 constexpr const char* variance_channels[] = {"variance.R", "variance.G", "variance.B"};
+constexpr const char* error_channels[] = {"standard_error.R", "standard_error.G",
+                                          "standard_error.B"};
 
 // OpenEXR's streams over bytes in memory: files are read and written whole, in one place.
 class MemoryOut : public Imf::OStream {
@@ -92,6 +99,27 @@ bool has_channels(const Imf::Header& header, const char* const (&names)[3]) {
     return true;
 }
 
+// f(v) of every channel of every pixel.
+template <class F> std::vector<Vec3> each(const std::vector<Vec3>& pixels, F f) {
+    std::vector<Vec3> result;
+    result.reserve(pixels.size());
+    for (const Vec3& v : pixels) result.emplace_back(f(v.x), f(v.y), f(v.z));
+    return result;
+}
+
+float square(float v) { return v * v; }
+float root(float v) { return std::sqrt(v); }
+
+// Whether the roots of the squares are the same bits: so they are unless a square leaves the range
+// of float, because both operations round correctly.
+bool squares_tell_all(const std::vector<Vec3>& error) {
+    const auto same = [](float v) {
+        return std::bit_cast<std::uint32_t>(root(square(v))) == std::bit_cast<std::uint32_t>(v);
+    };
+    return std::all_of(error.begin(), error.end(),
+                       [&](const Vec3& v) { return same(v.x) && same(v.y) && same(v.z); });
+}
+
 } // namespace
 
 std::string encode_exr(const Image& image) {
@@ -106,13 +134,18 @@ std::string encode_exr(const Image& image) {
     header.insert("spp", Imf::IntAttribute(from.spp));
     header.insert("max_depth", Imf::IntAttribute(from.max_depth));
 
+    const bool as_variance = squares_tell_all(image.error);
+    const std::vector<Vec3> variance =
+        as_variance ? each(image.error, square) : std::vector<Vec3>();
+    const std::vector<Vec3>& noise = as_variance ? variance : image.error;
+    const auto& noise_channels = as_variance ? variance_channels : error_channels;
     Imf::FrameBuffer frame;
     for (int c = 0; c < 3; ++c) {
         header.channels().insert(mean_channels[c], Imf::Channel(Imf::FLOAT));
         frame.insert(mean_channels[c], slice(image.mean.data(), c, image.width, {0, 0}));
-        if (image.variance.empty()) continue;
-        header.channels().insert(variance_channels[c], Imf::Channel(Imf::FLOAT));
-        frame.insert(variance_channels[c], slice(image.variance.data(), c, image.width, {0, 0}));
+        if (noise.empty()) continue;
+        header.channels().insert(noise_channels[c], Imf::Channel(Imf::FLOAT));
+        frame.insert(noise_channels[c], slice(noise.data(), c, image.width, {0, 0}));
     }
     std::string bytes;
     MemoryOut out(bytes);
@@ -137,18 +170,20 @@ Image decode_exr(const std::string& bytes) {
     const Imath::Box2i window = header.dataWindow();
     Image image = allocate(std::int64_t(window.max.x) - window.min.x + 1,
                            std::int64_t(window.max.y) - window.min.y + 1, bytes.size());
-    const bool with_variance = has_channels(header, variance_channels);
-    if (with_variance) image.variance.resize(image.pixels());
+    const bool with_error = has_channels(header, error_channels);
+    const bool with_variance = !with_error && has_channels(header, variance_channels);
+    if (with_error || with_variance) image.error.resize(image.pixels());
 
     Imf::FrameBuffer frame;
     for (int c = 0; c < 3; ++c) {
         frame.insert(mean_channels[c], slice(image.mean.data(), c, image.width, window.min));
-        if (with_variance)
-            frame.insert(variance_channels[c],
-                         slice(image.variance.data(), c, image.width, window.min));
+        if (with_error || with_variance)
+            frame.insert(with_error ? error_channels[c] : variance_channels[c],
+                         slice(image.error.data(), c, image.width, window.min));
     }
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
+    if (with_variance) image.error = each(image.error, root);
 
     Provenance& from = image.provenance;
     from.scene = get_string(header, "scene");

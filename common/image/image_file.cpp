@@ -63,11 +63,11 @@ Image read_image(const std::string& path) {
 
 void write_image(const Image& image, const std::string& path, float exposure) {
     if (image.width < 1 || image.height < 1 || image.mean.size() != image.pixels() ||
-        (!image.variance.empty() && image.variance.size() != image.pixels()))
+        (!image.error.empty() && image.error.size() != image.pixels()))
         throw ImageError(fmt::format("cannot write '{}': the image is {} x {} but holds {} pixels "
-                                     "and {} variances",
+                                     "and {} errors",
                                      path, image.width, image.height, image.mean.size(),
-                                     image.variance.size()));
+                                     image.error.size()));
     const std::string ending = ending_of(path);
     try {
         if (ending == ".exr")

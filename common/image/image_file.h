@@ -1,6 +1,6 @@
 // Image files. The name's ending chooses the format:
 //
-//   .exr  mean, variance of the mean and provenance, bit for bit: what the judge reads
+//   .exr  mean, its standard error and provenance, bit for bit: what the judge reads
 //   .pfm  the mean alone, bit for bit
 //   .hdr  the mean alone, 8 bits a channel and a shared exponent, for other programs
 //   .png  for eyes: exposed, clamped, sRGB

@@ -49,12 +49,10 @@ double mean_luminance(const Image& image) {
 
 // The variance of an image's mean luminance; its channels' noise is taken as fully correlated.
 double variance_of_mean(const Image& image) {
-    if (image.variance.empty()) return 0;
     double sum = 0;
-    for (const Vec3& v : image.variance) {
-        const double deviation =
-            0.2126 * std::sqrt(v.x) + 0.7152 * std::sqrt(v.y) + 0.0722 * std::sqrt(v.z);
-        sum += deviation * deviation;
+    for (const Vec3& v : image.error) {
+        const double error = 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z;
+        sum += error * error;
     }
     return sum / (double(image.pixels()) * double(image.pixels()));
 }
@@ -63,7 +61,7 @@ double variance_of_mean(const Image& image) {
 
 ImageError error_against(const Image& image, const Image& reference) {
     return average(image, reference, reference, 1, [&](std::size_t i, int c) {
-        return reference.variance.empty() ? 0.0 : double(reference.variance[i][c]);
+        return reference.error.empty() ? 0.0 : reference.variance(i)[c];
     });
 }
 

@@ -10,7 +10,7 @@ std::optional<Drawn> draw(const Contestant& contestant, Turns& turns, int spp, s
     try {
         Drawn drawn = contestant.render(spp, seed);
         drawn.spp = spp;
-        drawn.image.variance = {}; // of no use here, and as large as the image
+        drawn.image.error = {}; // of no use here, and as large as the image
         return drawn;
     } catch (const ContestantError& error) {
         turns.failure = error.what();

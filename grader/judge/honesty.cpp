@@ -38,19 +38,22 @@ double noise_correlation(const Image& a, const Image& b, const Image& reference)
 
 // Whether the reference has noise at all, or the scene is drawn without randomness.
 bool is_noisy(const Image& reference) {
-    if (reference.variance.empty()) return true;
+    if (reference.error.empty()) return true;
     for (std::size_t i = 0; i < reference.pixels(); ++i) {
-        const double level = 1e-6 * luminance(reference.mean[i]);
-        if (luminance(reference.variance[i]) > level * level) return true;
+        if (luminance(reference.error[i]) > 1e-6 * luminance(reference.mean[i])) return true;
     }
     return false;
 }
 
-// Per tile, the luminance of a per-pixel quantity, averaged over its pixels.
-std::vector<double> tile_luminance(const std::vector<Vec3>& pixels, int width, int height) {
-    const TileSums sums(pixels, width, height);
+TileSums variance_tiles(const Image& image) {
+    return {image.width, image.height, [&](std::size_t i) { return image.variance(i); }};
+}
+
+// Per tile, the luminance of the pixels' variance, averaged.
+std::vector<double> tile_variance(const Image& image) {
+    const TileSums sums = variance_tiles(image);
     std::vector<double> values;
-    for (const Region& region : regions_of(width, height, tile_size))
+    for (const Region& region : regions_of(image.width, image.height, tile_size))
         values.push_back(glm::dot(luminance_weights, sums.over(region)) / region.pixels());
     return values;
 }
@@ -65,7 +68,7 @@ double median_ratio(const std::vector<double>& a, const std::vector<double>& b) 
 
 // Variance of tile means over (sum of pixel variances) / N^2, channel by channel added up.
 double tile_ratio(const Replicates& replicates, const Image& mean) {
-    const TileSums pixel_variance(mean.variance, mean.width, mean.height);
+    const TileSums pixel_variance = variance_tiles(mean);
     std::vector<double> of_means, of_pixels;
     for (const Region& region : regions_of(mean.width, mean.height, tile_size)) {
         const glm::dmat3 covariance = moments_of(replicates, region).covariance;
@@ -98,12 +101,11 @@ Honesty check_honesty(const Replicates& first, const Image& reference, const Rep
             "depend on the seed?",
             100 * result.replicate_correlation));
 
-    // mean.variance is of the mean over count * spp samples, the reference's over its spp.
-    const std::vector<double> noise = tile_luminance(mean.variance, mean.width, mean.height);
-    if (!reference.variance.empty() && reference.provenance.spp > 0) {
-        const double ratio =
-            median_ratio(noise, tile_luminance(reference.variance, mean.width, mean.height)) *
-            first.count() * first.spp / reference.provenance.spp;
+    // The mean's variance is that over count * spp samples, the reference's over its spp.
+    const std::vector<double> noise = tile_variance(mean);
+    if (!reference.error.empty() && reference.provenance.spp > 0) {
+        const double ratio = median_ratio(noise, tile_variance(reference)) * first.count() *
+                             first.spp / reference.provenance.spp;
         if (std::isfinite(ratio)) result.variance_ratio = ratio;
         if (ratio < 0.25)
             result.hints.push_back(fmt::format("A sample has {:.2g} of the reference's variance: "
@@ -125,8 +127,7 @@ Honesty check_honesty(const Replicates& first, const Image& reference, const Rep
 
     if (second) {
         const Image later = mean_of(*second);
-        const double fall =
-            median_ratio(noise, tile_luminance(later.variance, later.width, later.height));
+        const double fall = median_ratio(noise, tile_variance(later));
         if (std::isfinite(fall)) result.variance_fall = fall;
         if (fall < 1.4)
             result.hints.push_back(fmt::format(

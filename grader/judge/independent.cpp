@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace raylab {
 namespace {
@@ -55,7 +56,7 @@ bool first_stage(IndependentResult& result, const Replicates& replicates, const 
     result.metrics = measure(result.mean, reference);
     result.z_map = z_map(result.mean, reference);
     result.false_alarm_rate = options.alpha;
-    if (reference.variance.empty())
+    if (reference.error.empty())
         result.verdict.hints.push_back("The reference carries no variance and was taken as exact.");
     else if (result.screening.whole.reference_share > 0.2)
         result.verdict.hints.push_back(fmt::format(
@@ -97,6 +98,19 @@ void conclude(IndependentResult& result, bool passed, const Image& reference) {
                                             to_string(s.worst.region)));
 }
 
+// A reference without any variance is taken as exact; one whose pixels have a single sample cannot
+// be.
+ReferenceTiles known_tiles(const Image& reference) {
+    ReferenceTiles tiles(reference);
+    const double unknown = tiles.unknown({0, 0, reference.width, reference.height});
+    if (!reference.error.empty() && unknown > 0)
+        throw std::invalid_argument(
+            fmt::format("{:.0f} pixels of the reference do not know their error, say because they "
+                        "have one sample: make it with `raylab reference`",
+                        unknown));
+    return tiles;
+}
+
 } // namespace
 
 IndependentResult judge_independent(const RenderReplicate& render, const Image& reference,
@@ -116,7 +130,7 @@ IndependentResult judge_independent(const RenderReplicate& render, const Image& 
         return true;
     };
 
-    const ReferenceTiles tiles(reference);
+    const ReferenceTiles tiles = known_tiles(reference);
     Replicates first{options.spp, {}, {}};
     if (!collect(first, options.first_seed)) return result;
     bool passed = first_stage(result, first, reference, tiles, options);
@@ -150,7 +164,7 @@ IndependentResult judge_replicates(const Replicates& replicates, const Image& re
         result.verdict = result.soundness.verdict;
         return result;
     }
-    const ReferenceTiles tiles(reference);
+    const ReferenceTiles tiles = known_tiles(reference);
     const bool passed = first_stage(result, replicates, reference, tiles, options);
     result.honesty = check_honesty(replicates, reference);
     conclude(result, passed, reference);

@@ -104,6 +104,8 @@ void to_json(json& j, const Comparison& c) {
          {"verdict", c.verdict},
          {"decided", c.decided},
          {"equal", c.equal},
+         {"replicates", {c.replicates_a, c.replicates_b}},
+         {"tile_variance_over_independent", {c.shared_noise_a, c.shared_noise_b}},
          {"false_alarm_rate", c.false_alarm_rate},
          {"tests", c.tests},
          {"worst", to_object(c.worst)},

@@ -10,6 +10,19 @@
 
 namespace raylab {
 
+namespace {
+
+bool knows_all_errors(const Image& image) {
+    return !image.error.empty() && std::all_of(image.error.begin(), image.error.end(),
+                                               [](const Vec3& v) { return is_finite(v); });
+}
+
+double known_variance(const Image& image, std::size_t i, int c) {
+    return !image.error.empty() && std::isfinite(image.error[i][c]) ? image.variance(i)[c] : 0;
+}
+
+} // namespace
+
 Metrics measure(const Image& image, const Image& reference) {
     if (image.width != reference.width || image.height != reference.height)
         throw std::invalid_argument("measure: the images must have the same size");
@@ -29,8 +42,8 @@ Metrics measure(const Image& image, const Image& reference) {
         sum_r += double(luminance(r));
         for (int c = 0; c < 3; ++c) {
             const double d = double(a[c]) - double(r[c]);
-            const double var_a = image.variance.empty() ? 0 : double(image.variance[i][c]);
-            const double var_r = reference.variance.empty() ? 0 : double(reference.variance[i][c]);
+            const double var_a = known_variance(image, i, c);
+            const double var_r = known_variance(reference, i, c);
             const double weight = double(r[c]) * double(r[c]) + 1e-4 * mean * mean;
             squares += d * d;
             variance += var_a + var_r;
@@ -40,9 +53,9 @@ Metrics measure(const Image& image, const Image& reference) {
     result.mse = squares / double(n);
     result.rel_mse = relative / double(n);
     result.rel_error = sum_r > 0 ? sum_a / sum_r - 1 : 0;
-    result.rel_bias = image.variance.empty()
-                          ? std::numeric_limits<double>::quiet_NaN()
-                          : std::sqrt(std::max(0.0, (squares - variance) / double(n)));
+    result.rel_bias = knows_all_errors(image)
+                          ? std::sqrt(std::max(0.0, (squares - variance) / double(n)))
+                          : std::numeric_limits<double>::quiet_NaN();
     if (mean > 0) result.rel_bias /= mean;
     return result;
 }
@@ -57,12 +70,13 @@ ZMap z_map(const Image& image, const Image& reference) {
     for (const Region& region : regions_of(image.width, image.height, tile_size)) {
         const Estimate x = project(a.moments(region, fully_correlated), luminance_weights);
         const Estimate y = project(r.moments(region, fully_correlated), luminance_weights);
-        // NaN, too, where nothing is known of the noise and the difference is not 0.
+        const bool known = (image.error.empty() || a.unknown(region) == 0) &&
+                           (reference.error.empty() || r.unknown(region) == 0) &&
+                           !(image.error.empty() && reference.error.empty());
         map.z.push_back(x.mean == y.mean ? 0
-                                         : (x.mean - y.mean) / std::sqrt(x.variance + y.variance));
+                        : known          ? (x.mean - y.mean) / std::sqrt(x.variance + y.variance)
+                                         : std::numeric_limits<double>::quiet_NaN());
     }
-    if (image.variance.empty() && reference.variance.empty())
-        for (double& z : map.z) z = z == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
     return map;
 }
 

@@ -11,8 +11,8 @@ struct Metrics {
     // own noise is taken off. May be slightly negative.
     double rel_mse = 0;
     double rel_error = 0; // mean of a over mean of r, less 1, in luminance
-    // sqrt(MSE - var_a - var_r) over the reference's mean: what noise does not explain. Needs a
-    // variance in `image`; else NaN. 0 where noise explains all.
+    // sqrt(MSE - var_a - var_r) over the reference's mean: what noise does not explain. Needs the
+    // error of every pixel of `image`; else NaN. 0 where noise explains all.
     double rel_bias = 0;
 };
 
@@ -21,8 +21,8 @@ struct Metrics {
 Metrics measure(const Image& image, const Image& reference);
 
 // Signed z = (a - r) / sqrt(var_a + var_r) of each 16 x 16 tile's mean luminance, row by row; 0
-// where both are equal, NaN where neither has a variance. The channels' noise is taken as fully
-// correlated, so |z| is rather too small.
+// where both are equal, NaN where neither has an error or one has a pixel that does not know its
+// own. The channels' noise is taken as fully correlated, so |z| is rather too small.
 struct ZMap {
     int columns = 0, rows = 0, tile = 0;
     std::vector<double> z;

@@ -1,4 +1,4 @@
-// Moments over replicates, and of a reference whose file holds a variance a pixel and channel.
+// Moments over replicates, and of a reference whose file holds an error a pixel and channel.
 #include "grader/judge/moments.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Image mean_of(const Replicates& replicates) {
     if (n < 2) throw std::invalid_argument("mean_of: at least two replicates are needed");
     Image result = replicates.images[0];
     result.provenance.spp = replicates.spp * static_cast<int>(n);
-    result.variance.resize(result.pixels());
+    result.error.resize(result.pixels());
     for (std::size_t i = 0; i < result.pixels(); ++i) {
         DVec3 sum(0), squares(0);
         for (const Image& image : replicates.images) sum += DVec3(image.mean[i]);
@@ -56,7 +56,7 @@ Image mean_of(const Replicates& replicates) {
             squares += d * d;
         }
         result.mean[i] = Vec3(mean);
-        result.variance[i] = Vec3(squares / double(n * (n - 1)));
+        result.error[i] = Vec3(glm::sqrt(squares / double(n * (n - 1))));
     }
     return result;
 }
@@ -81,15 +81,27 @@ Moments moments_of(const Replicates& replicates, const Region& region, double* k
     return result;
 }
 
+namespace {
+
+bool knows_error(const Image& image, std::size_t i) {
+    return !image.error.empty() && is_finite(image.error[i]);
+}
+
+DVec3 known_variance(const Image& image, std::size_t i) {
+    return knows_error(image, i) ? image.variance(i) : DVec3(0);
+}
+
+} // namespace
+
 ReferenceTiles::ReferenceTiles(const Image& r)
     : mean_(r.mean, r.width, r.height),
-      variance_(
-          r.width, r.height,
-          [&](std::size_t i) { return r.variance.empty() ? DVec3(0) : DVec3(r.variance[i]); }),
-      squared_variance_(r.width, r.height, [&](std::size_t i) {
-          const DVec3 v = r.variance.empty() ? DVec3(0) : DVec3(r.variance[i]);
-          return v * v;
-      }) {}
+      variance_(r.width, r.height, [&](std::size_t i) { return known_variance(r, i); }),
+      squared_variance_(r.width, r.height,
+                        [&](std::size_t i) {
+                            const DVec3 v = known_variance(r, i);
+                            return v * v;
+                        }),
+      unknown_(r.width, r.height, [&](std::size_t i) { return DVec3(!knows_error(r, i)); }) {}
 
 Moments ReferenceTiles::moments(const Region& region, const glm::dmat3& like) const {
     const double pixels = region.pixels();

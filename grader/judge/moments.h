@@ -19,7 +19,8 @@ struct Replicates {
     void add(Image image);
 };
 
-// Mean over replicates, and per pixel the variance of that mean: sum (x_r - mean)^2 / (R (R - 1)).
+// Mean over replicates, and per pixel the standard error of that mean:
+//     error^2 = sum (x_r - mean)^2 / (R (R - 1)).
 Image mean_of(const Replicates& replicates);
 
 // Mean R, G, B of a region, and the covariance of that mean.
@@ -43,8 +44,11 @@ class ReferenceTiles {
     // have the same variance (a lower bound), few when few pixels make the error.
     Moments moments(const Region& region, const glm::dmat3& like) const;
 
+    // How many pixels of the region do not know their error. moments() takes them as exact.
+    double unknown(const Region& region) const { return unknown_.over(region).x; }
+
   private:
-    TileSums mean_, variance_, squared_variance_;
+    TileSums mean_, variance_, squared_variance_, unknown_;
 };
 
 extern const DVec3 luminance_weights; // Rec. 709

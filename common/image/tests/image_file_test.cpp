@@ -32,7 +32,7 @@ class ImageFile : public testing::Test {
 };
 
 // Every kind of float there is: random bits, so also NaN with payload, infinities, subnormals, -0.
-Image any_bits(int width, int height, bool with_variance) {
+Image any_bits(int width, int height, bool with_error) {
     std::mt19937 random(7);
     const auto any = [&] {
         const auto bits = static_cast<std::uint32_t>(random());
@@ -44,8 +44,8 @@ Image any_bits(int width, int height, bool with_variance) {
     image.width = width;
     image.height = height;
     image.mean.resize(image.pixels());
-    if (with_variance) image.variance.resize(image.pixels());
-    for (auto* pixels : {&image.mean, &image.variance})
+    if (with_error) image.error.resize(image.pixels());
+    for (auto* pixels : {&image.mean, &image.error})
         for (Vec3& v : *pixels)
             for (int c = 0; c < 3; ++c) v[c] = any();
     image.mean[0] = Vec3(std::numeric_limits<float>::quiet_NaN(), -0.0f,
@@ -75,14 +75,14 @@ std::string error_of(const std::string& path) {
 }
 
 TEST_F(ImageFile, ExrKeepsEveryBitAndTheProvenance) {
-    for (const bool with_variance : {false, true}) {
-        const Image image = any_bits(37, 21, with_variance);
+    for (const bool with_error : {false, true}) {
+        const Image image = any_bits(37, 21, with_error);
         write_image(image, in("a.exr"));
         const Image back = read_image(in("a.exr"));
         EXPECT_EQ(back.width, 37);
         EXPECT_EQ(back.height, 21);
         EXPECT_TRUE(same_bits(image.mean, back.mean));
-        EXPECT_TRUE(same_bits(image.variance, back.variance));
+        EXPECT_TRUE(same_bits(image.error, back.error));
         EXPECT_EQ(back.provenance.scene, "cornell");
         EXPECT_EQ(back.provenance.scene_hash, "0123456789abcdef");
         EXPECT_EQ(back.provenance.integrator, "path");
@@ -93,12 +93,28 @@ TEST_F(ImageFile, ExrKeepsEveryBitAndTheProvenance) {
     }
 }
 
+// Other programs find the variance, as far as float holds it; and no bit is lost on the way.
+TEST_F(ImageFile, ExrHoldsTheVarianceOrWhereFloatCannotTheError) {
+    std::mt19937 random(3);
+    for (const int exponent : {-149, -110, -60, 0, 60, 110, 127}) {
+        Image image = any_bits(16, 16, true);
+        for (Vec3& v : image.error)
+            for (int c = 0; c < 3; ++c)
+                v[c] = std::ldexp(0.5f + float(random()) * 0x1p-33f, exponent + int(random() % 2));
+        image.error[0] = Vec3(0, 0, std::numeric_limits<float>::infinity());
+        write_image(image, in("a.exr"));
+        EXPECT_TRUE(same_bits(image.error, read_image(in("a.exr")).error)) << exponent;
+        const bool has_variance = read_file(in("a.exr")).find("variance.R") != std::string::npos;
+        EXPECT_EQ(has_variance, std::abs(exponent) < 61) << exponent;
+    }
+}
+
 TEST_F(ImageFile, PfmKeepsEveryBitOfTheMean) {
     const Image image = any_bits(5, 9, true);
     write_image(image, in("a.PFM"));
     const Image back = read_image(in("a.PFM"));
     EXPECT_TRUE(same_bits(image.mean, back.mean));
-    EXPECT_TRUE(back.variance.empty());
+    EXPECT_TRUE(back.error.empty());
 }
 
 TEST_F(ImageFile, PfmHasTheBottomRowFirstAndReadsBothEndians) {

@@ -29,7 +29,7 @@ Image noisy_reference(int spp) {
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const Vec3 t = simulated::truth(x, y, size, size);
-            reference.variance.push_back(t * t * simulated::sample_variance(Noise::pixel, spp) /
+            reference.error.push_back(t * glm::sqrt(simulated::sample_variance(Noise::pixel, spp) /
                                          float(spp));
         }
     return reference;
@@ -40,7 +40,7 @@ TEST(ErrorAgainst, TakesTheReferencesOwnVarianceOff) {
     Image reference = noisy_reference(16);
     const double expected = true_mse(16);
     EXPECT_NEAR(error_against(render, reference).mse / expected, 1, 0.04);
-    reference.variance.clear(); // what the plain formula gives: twice too much
+    reference.error.clear(); // what the plain formula gives: twice too much
     EXPECT_NEAR(error_against(render, reference).mse / expected, 2, 0.08);
 }
 

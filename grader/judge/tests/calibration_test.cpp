@@ -146,7 +146,7 @@ TEST(Calibration, TilesThatLightRarelyReaches) {
             dark.mean.resize(dark.pixels());
             Image known = dark;
             known.mean.assign(dark.pixels(), Vec3(float(value * chance)));
-            known.variance.assign(dark.pixels(), Vec3(float(chance / reference_spp)));
+            known.error.assign(dark.pixels(), Vec3(float(std::sqrt(chance / reference_spp))));
             Replicates r{spp, {}, {}};
             for (int k = 0; k < 16; ++k) {
                 Image image = dark;

@@ -100,14 +100,14 @@ inline Image render(int width, int height, std::uint64_t seed, int spp, Noise no
 inline Image reference(int width, int height, std::uint64_t seed, Noise noise, int spp) {
     Image image = render(width, height, seed, 1, Noise::pixel);
     image.provenance.spp = reference_spp;
-    image.variance.resize(image.pixels());
+    image.error.resize(image.pixels());
     Random random(~seed);
     const Vec3 variance = sample_variance(noise, spp) / float(reference_spp);
     const Vec3 norm = glm::sqrt(variance / Vec3(1.69f, 0.97f, 0.97f));
     for (std::size_t i = 0; i < image.pixels(); ++i) {
         const Vec3 t = truth(int(i) % width, int(i) / width, width, height);
         image.mean[i] = t * (Vec3(1) + norm * coloured(random.noise()));
-        image.variance[i] = t * t * variance;
+        image.error[i] = t * glm::sqrt(variance);
     }
     return image;
 }
