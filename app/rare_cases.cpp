@@ -1,6 +1,7 @@
 #include "app/rare_cases.h"
 
 #include "common/cli/progress.h"
+#include "common/math/index.h"
 #include "common/scene/load.h"
 
 #include <algorithm>
@@ -111,7 +112,7 @@ RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int r
     // One to warm up, then enough a round that it takes some hundredths of a second.
     if (megakernel) megakernel->time(1);
     with.time(1);
-    const int iterations = std::clamp(static_cast<int>(0.05 / without.time(1)), 1, 64);
+    const int iterations = std::max(1, index_of(0.05 / without.time(1), 65));
     for (int round = 0; round < rounds; ++round) {
         if (megakernel) megakernel->time(iterations);
         without.time(iterations);

@@ -2,11 +2,14 @@
 // output and run on, or leave a grandchild that keeps the pipe open.
 #include "common/cli/process.h"
 
+#include "common/math/index.h"
+
 #include <fmt/format.h>
 
 #include <cctype>
 #include <cerrno>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -59,7 +62,7 @@ bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
     for (;;) {
         const double left = deadline - now();
         pollfd watched = {pipe_end, POLLIN, 0};
-        const int ready = left > 0 ? poll(&watched, 1, static_cast<int>(1000 * left) + 1) : 0;
+        const int ready = left > 0 ? poll(&watched, 1, 1 + index_of(1000 * left, INT_MAX)) : 0;
         if (ready < 0 && errno == EINTR) continue;
         if (ready <= 0) return false;
         const ssize_t n = read(pipe_end, block, sizeof block);

@@ -1,9 +1,12 @@
 #include "common/cli/progress.h"
 
+#include "common/math/index.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <unistd.h>
 
 namespace raylab {
@@ -42,7 +45,7 @@ void Progress::update(int done) {
 std::string human_duration(double seconds) {
     if (seconds < 10) return fmt::format("{:.1f} s", seconds);
     if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-    const int whole = static_cast<int>(std::lround(seconds));
+    const int whole = index_of(std::round(seconds), std::numeric_limits<int>::max());
     return fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "common/geometry/surface.h"
+#include "common/math/index.h"
 
 namespace raylab {
 
-// Where in [0, 1] the image has what lies at u.
+// Where in [0, 1] the image has what lies at u. Beyond 2^24 floats are whole numbers; what
+// overflows there, and a NaN, is at 0 like them.
 HD float wrapped(Wrap wrap, float u) {
-    if (wrap == Wrap::repeat) return u - floorf(u);
+    if (wrap == Wrap::repeat) return clamp(u - floorf(u), 0, 1);
     if (wrap == Wrap::clamp) return clamp(u, 0, 1);
-    const float there_and_back = u - 2 * floorf(u / 2);
+    const float there_and_back = clamp(u - 2 * floorf(u / 2), 0, 2);
     return there_and_back <= 1 ? there_and_back : 2 - there_and_back;
 }
 
@@ -25,7 +27,8 @@ HD int wrapped(Wrap wrap, int i, int size) {
 HD Vec3 lookup(const SceneView& scene, const Texture& texture, Vec2 uv) {
     const float x = wrapped(texture.wrap_u, uv.x) * texture.width - 0.5f;
     const float y = wrapped(texture.wrap_v, uv.y) * texture.height - 0.5f;
-    const int column = int(floorf(x)), row = int(floorf(y));
+    const int column = index_of(floorf(x) + 1, texture.width + 1) - 1; // in [-1, width - 1]
+    const int row = index_of(floorf(y) + 1, texture.height + 1) - 1;
     const float fx = x - column, fy = y - row;
     const auto texel = [&](int i, int j) {
         i = wrapped(texture.wrap_u, i, texture.width);

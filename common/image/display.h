@@ -2,6 +2,8 @@
 // (IEC 61966-2-1).
 #pragma once
 
+#include "common/math/index.h"
+#include "common/math/numbers.h"
 #include "common/math/vec.h"
 
 #include <algorithm>
@@ -24,9 +26,9 @@ inline std::array<std::uint8_t, 3> display_rgb8(Vec3 radiance, float exposure) {
     if (!is_finite(radiance)) return {255, 0, 255};
     std::array<std::uint8_t, 3> rgb{};
     for (int c = 0; c < 3; ++c) {
-        const float v = std::clamp(radiance[c] * std::exp2(exposure), 0.0f, 1.0f);
+        const float v = clamp(radiance[c] * std::exp2(exposure), 0, 1);
         rgb[static_cast<std::size_t>(c)] =
-            static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(v)));
+            static_cast<std::uint8_t>(index_of(std::round(255 * srgb_from_linear(v)), 256));
     }
     return rgb;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "common/light/light_sample.h"
+#include "common/math/index.h"
 #include "common/sampling/warp.h"
 #include "common/scene/features.h"
 #include "common/scene/view.h"
@@ -24,10 +25,8 @@ HD Texel environment_texel(const Environment& environment, Vec3 d) {
     const float phi = atan2f(d.z, d.x) * inv_two_pi + environment.turn;
     const float u = phi < 0 ? phi + 1 : phi;
     const float v = atan2f(sqrtf(d.x * d.x + d.z * d.z), d.y) * inv_pi;
-    const int column = static_cast<int>(u * environment.width);
-    const int row = static_cast<int>(v * environment.height);
-    return {column < environment.width ? column : environment.width - 1,
-            row < environment.height ? row : environment.height - 1};
+    return {index_of(u * environment.width, environment.width),
+            index_of(v * environment.height, environment.height)};
 }
 
 HD Vec3 environment_radiance(const Environment& environment, Texel texel) {

@@ -15,8 +15,8 @@ std::vector<std::array<int, 2>> touched(Wrap wrap, float low, float high, int si
     const auto n = float(size);
     const std::vector<std::array<int, 2>> all{{0, size - 1}};
     if (wrap == Wrap::clamp) {
-        low = std::clamp(low, 0.0f, 1.0f);
-        high = std::clamp(high, 0.0f, 1.0f);
+        low = clamp(low, 0, 1); // a NaN becomes 0, as where the texture is looked up
+        high = clamp(high, 0, 1);
     } else {
         if (!(high - low < 1)) return all;
         const float period = std::floor(low);

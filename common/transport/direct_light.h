@@ -11,6 +11,7 @@
 #include "common/film/ledger.h"
 #include "common/geometry/intersect.h"
 #include "common/geometry/offset.h"
+#include "common/math/index.h"
 #include "common/sampling/sampler.h"
 #include "common/transport/emission.h"
 #include "common/transport/scatter.h"
@@ -53,8 +54,7 @@ HD_HOT Feeler feeler_to_any(const SceneView& scene, DirectLight strategy,
                             const BounceNumbers& u) {
     const int lights = scene.lights.size;
     if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return {};
-    int light = static_cast<int>(u.light_choice * lights);
-    if (light == lights) light = lights - 1; // the product may round up
+    const int light = index_of(u.light_choice * lights, lights);
     return feeler_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo,
                         u.light_point);
 }

@@ -11,6 +11,7 @@ namespace raylab::bench::html {
 // Four digits are more than any of these figures can bear.
 std::string digits(double v) {
     const double size = std::abs(v);
+    if (std::isinf(v)) return v < 0 ? "&minus;&infin;" : "&infin;";
     if (size != 0 && (size < 1e-3 || size >= 1e6)) {
         const int power = static_cast<int>(std::floor(std::log10(size)));
         return fmt::format("{:.2f}&#8239;&middot;&#8239;10<sup>{}</sup>", v / std::pow(10, power),

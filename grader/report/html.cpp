@@ -2,6 +2,7 @@
 #include "grader/report/html.h"
 
 #include "common/image/image_file.h"
+#include "common/math/index.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f)); }
+std::uint8_t byte(float v) { return static_cast<std::uint8_t>(index_of(v, 256)); }
 
 // Names the page's own script and style in its security policy; nobody else's will run.
 std::string random_nonce() {

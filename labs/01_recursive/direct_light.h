@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/geometry/offset.h"
+#include "common/math/index.h"
 #include "common/sampling/mis.h"
 #include "common/transport/emission.h"
 #include "labs/01_recursive/intersect.h"
@@ -52,7 +53,7 @@ inline Vec3 direct_light(const Path& path, const SurfacePoint& surface, Vec3 ref
     int light = 0;
     if (lights > 1) {
         const float u = path.sampler.get_1d(bounce_dimension(bounce, dimension::light_choice));
-        light = std::min(static_cast<int>(u * lights), lights - 1);
+        light = index_of(u * lights, lights);
     }
     const Vec2 u = path.sampler.get_2d(bounce_dimension(bounce, dimension::light_point));
     return light_from(path, path.settings.direct_light, light, 1.0f / lights, surface, reflectance,

@@ -1,5 +1,6 @@
 #include "labs/04_accel/bvh_split.h"
 
+#include "common/math/index.h"
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/triangle_block.h"
 
@@ -25,9 +26,7 @@ struct Slices {
         : low(box.low[axis]), high(box.high[axis]),
           scale(static_cast<float>(bins * (1 - 1e-6) / (double(high) - low))) {}
 
-    int operator()(float x) const {
-        return std::clamp(static_cast<int>((x - low) * scale), 0, bins - 1);
-    }
+    int operator()(float x) const { return index_of((x - low) * scale, bins); }
     float begin(int slice) const { return low + (high - low) * (static_cast<float>(slice) / bins); }
 };
 

@@ -3,6 +3,7 @@
 #include "common/geometry/texture.h"
 
 #include <array>
+#include <random>
 
 namespace raylab::test {
 namespace {
@@ -177,6 +178,36 @@ TEST(SurfaceAt, interpolates_vertex_colours) {
     EXPECT_NEAR(reflectance.x, 0.125, 1e-6);
     EXPECT_NEAR(reflectance.y, 0.125, 1e-6);
     EXPECT_NEAR(reflectance.z, 0.125, 1e-6);
+}
+
+// Coordinates from files may be anything, and interpolation may overflow: whatever they are, a
+// texel of this image comes out. What is huge is a whole number, and lies where 0 lies.
+TEST(Texture, finds_a_texel_for_every_coordinate) {
+    const Vec3 texels[] = {Vec3(-9), Vec3(1), Vec3(2), Vec3(3),
+                           Vec3(4),  Vec3(5), Vec3(6), Vec3(-9)};
+    SceneView scene{};
+    scene.texels = {texels, 8};
+    const float nan = std::nanf("");
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+        Texture texture{1, 3, 2};
+        texture.wrap_u = texture.wrap_v = wrap;
+        for (const float u : {nan, -nan, infinity, -infinity, 1e30f, -1e30f, 3.4e38f, -3.4e38f,
+                              0x1p31f, 0x1p-149f, -0x1p-149f, -0.0f})
+            for (const float v : {nan, infinity, -1e30f, 0.0f, 0.3f}) {
+                const float found = lookup(scene, texture, Vec2(u, v)).x;
+                EXPECT_TRUE(found >= 1 && found <= 6) << u << " " << v << ": " << found;
+                if (wrap != Wrap::clamp) {
+                    EXPECT_EQ(found, lookup(scene, texture, Vec2(0, v)).x) << u << " " << v;
+                }
+            }
+        std::mt19937 random(8); // any float, by its bits
+        for (int i = 0; i < 200'000; ++i) {
+            const float u = std::bit_cast<float>(std::uint32_t(random()));
+            const float v = std::bit_cast<float>(std::uint32_t(random()));
+            const float found = lookup(scene, texture, Vec2(u, v)).x;
+            ASSERT_TRUE(found >= 1 && found <= 6) << u << " " << v << ": " << found;
+        }
+    }
 }
 
 } // namespace

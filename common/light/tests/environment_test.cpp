@@ -61,6 +61,19 @@ TEST(Environment, poles_and_seam_are_in_the_map) {
     EXPECT_EQ(environment_texel(e, Vec3(1, 0, 1e-30f)).column, 0);
 }
 
+TEST(Environment, every_direction_has_a_texel_even_one_that_is_no_number) {
+    Environment e;
+    e.width = 8, e.height = 4;
+    const float values[] = {std::nanf(""), infinity, -infinity, 1e30f, -1e30f, 0.0f, -0.0f, 1.0f};
+    for (const float x : values)
+        for (const float y : values)
+            for (const float z : values) {
+                const Texel t = environment_texel(e, Vec3(x, y, z));
+                EXPECT_TRUE(t.column >= 0 && t.column < 8 && t.row >= 0 && t.row < 4)
+                    << x << " " << y << " " << z;
+            }
+}
+
 TEST(Environment, solid_angles_of_the_texels_fill_the_sphere) {
     for (const int height : {1, 2, 9, 512, 4096}) {
         Environment e;
