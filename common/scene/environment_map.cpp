@@ -6,17 +6,46 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace raylab {
 namespace {
 
-// Appends the running sums of the weights over their total; equal shares if all are 0.
-void append_cdf(const std::vector<double>& weights, std::vector<float>& cdf) {
-    double total = 0, sum = 0;
-    for (const double w : weights) total += w;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        cdf.push_back(float(total > 0 ? sum / total : double(i) / double(weights.size())));
-        sum += weights[i];
+// Random numbers are multiples of 2^-24 (sampling/hash.h), and so are the tables: then a place is
+// chosen with exactly the probability that they say.
+constexpr double grains = 0x1p24;
+
+// The least density of what is not black, in parts of an even one. Next to a sun of 10^12 the sky's
+// share of the light is nothing, but where the sun does not reach it is all there is.
+constexpr double least = 1 / 16.0;
+
+double light_of(Vec3 rgb) { // luminance, without underflow
+    return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
+}
+
+// Appends P(place < i) in proportion to the places' light, or to their sizes where that is more by
+// `least`, or if all are black. No place with light gets less than one grain.
+void append_cdf(const std::vector<double>& light, const std::vector<double>& size,
+                std::vector<float>& cdf) {
+    double all_light = 0, all_size = 0;
+    for (const double l : light) all_light += l;
+    for (const double s : size) all_size += s;
+    std::vector<double> share(light.size());
+    double total = 0, lit = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const double even = size[i] / all_size;
+        if (all_light == 0)
+            share[i] = even;
+        else if (light[i] > 0)
+            share[i] = std::max(light[i] / all_light, least * even);
+        total += share[i];
+        lit += share[i] > 0;
+    }
+    double sum = 0, before = 0;
+    for (const double s : share) {
+        cdf.push_back(float((std::round((grains - lit) * (sum / total)) + before) / grains));
+        sum += s;
+        before += s > 0;
     }
     cdf.push_back(1);
 }
@@ -43,21 +72,17 @@ EnvironmentCdf environment_cdf(const Picture& map) {
     EnvironmentCdf cdf;
     cdf.row.reserve(height + 1);
     cdf.column.reserve(height * (width + 1));
-    std::vector<double> row_weight(height), weight(width);
-    double total = 0;
+    std::vector<double> row_light(height), row_size(height), light(width);
+    const std::vector<double> size(width, 1);
     for (std::size_t y = 0; y < height; ++y) {
-        const double sin_theta = std::sin(3.14159265358979323846 * (y + 0.5) / height);
+        row_size[y] = std::sin(std::numbers::pi * (y + 0.5) / height);
         for (std::size_t x = 0; x < width; ++x) {
-            weight[x] = double(luminance(map.texels[y * width + x])) * sin_theta;
-            row_weight[y] += weight[x];
+            light[x] = light_of(map.texels[y * width + x]);
+            row_light[y] += light[x] * row_size[y];
         }
-        total += row_weight[y];
-        append_cdf(weight, cdf.column);
+        append_cdf(light, size, cdf.column);
     }
-    if (total == 0) // any density that covers the sphere will do
-        for (std::size_t y = 0; y < height; ++y)
-            row_weight[y] = std::sin(3.14159265358979323846 * (y + 0.5) / height);
-    append_cdf(row_weight, cdf.row);
+    append_cdf(row_light, row_size, cdf.row);
     return cdf;
 }
 

@@ -1,4 +1,5 @@
-// How an environment map is sampled: in proportion to what each texel sends.
+// How an environment map is sampled: in proportion to what each texel sends, and every texel that
+// sends anything with at least 1/16 of what even sampling would give its row, and it in its row.
 #pragma once
 
 #include "common/scene/picture.h"
@@ -9,7 +10,8 @@ namespace raylab {
 
 // The tables of Environment (view.h): row_cdf[i] = P(row < i), height + 1 values;
 // column_cdf[row * (width + 1) + j] = P(column < j | row). They begin with 0, end with 1 and never
-// fall. Built in double. A black row is uniform within, a black map is uniform over the sphere.
+// fall. All are multiples of 2^-24, as random numbers are: probabilities are exact. A black texel is
+// never chosen, but a black row is uniform within, a black map is uniform over the sphere.
 struct EnvironmentCdf {
     std::vector<float> row, column;
 };

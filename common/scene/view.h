@@ -36,7 +36,8 @@ struct Environment {
     int light = -1;          // index into SceneView::lights, or -1: no environment
     int width = 0, height = 0;
     float turn = 0; // of the map, in turns; at most half a column either way
-    // Over the map's texels, to sample them in proportion to luminance * sin(theta):
+    // Over the map's texels, to sample them in proportion to luminance * sin(theta), but none that
+    // glows too rarely (scene/environment_map.h):
     Array<Vec3> map;         // width * height radiances, row by row
     Array<float> row_cdf;    // height + 1: P(row < i)
     Array<float> column_cdf; // height * (width + 1): P(column < j | row)

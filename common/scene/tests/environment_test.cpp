@@ -1,6 +1,7 @@
 // Environment maps and their tables.
 #include "common/scene/environment_map.h"
 
+#include "common/light/environment.h"
 #include "common/scene/tests/scene_files.h"
 
 #include <numbers>
@@ -39,17 +40,25 @@ TEST(EnvironmentCdf, IsProportionalToLuminanceTimesSolidAngle) {
     expect_tables(cdf, width, height);
 
     // The solid angle of a texel exactly: (2 pi / width) (cos(top) - cos(bottom)), which is
-    // sin(middle) times a constant.
+    // sin(middle) times a constant. A texel counts at least a sixteenth of its row's mean.
     double total = 0, sum = 0, worst_without_sine = 0, total_without_sine = 0;
+    std::vector<double> row_sum(height), row_floored(height);
+    const auto L = [&](int x, int y) { return double(luminance(map.texels[y * width + x])); };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) row_sum[y] += L(x, y);
+        for (int x = 0; x < width; ++x)
+            row_floored[y] += std::max(L(x, y), row_sum[y] / width / 16);
+    }
     const auto weight = [&](int x, int y) {
         const double step = std::numbers::pi / height;
-        return luminance(map.texels[y * width + x]) *
-               (std::cos(y * step) - std::cos((y + 1) * step));
+        const double band = std::cos(y * step) - std::cos((y + 1) * step);
+        if (row_sum[y] == 0) return 0.0;
+        return band * row_sum[y] * std::max(L(x, y), row_sum[y] / width / 16) / row_floored[y];
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             total += weight(x, y);
-            total_without_sine += luminance(map.texels[y * width + x]);
+            total_without_sine += L(x, y);
         }
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -72,10 +81,54 @@ TEST(EnvironmentCdf, OfABlackMapCoversTheSphereEvenly) {
         for (int x = 0; x < 4; ++x) EXPECT_NEAR(texel_probability(cdf, 4, x, y), 1 / 8.0, 1e-7);
 }
 
-TEST(EnvironmentCdf, SurvivesOneTexelAsBrightAsTheSun) {
-    Picture map{1024, 2, std::vector<Vec3>(2048, Vec3(1e-3f))};
-    map.texels[1500] = Vec3(1e30f);
-    expect_tables(environment_cdf(map), 1024, 2);
+// Beside a sun of any brightness every texel that glows can be chosen, with the probability that
+// the table says: it is a multiple of the random numbers' grain. A black one cannot.
+TEST(EnvironmentCdf, KeepsTheSkyBesideASun) {
+    for (const float sun : {1e3f, 1e12f, 1e30f, 3e38f}) {
+        Picture map{1024, 32, std::vector<Vec3>(32768, Vec3(1e-3f))};
+        map.texels[15000] = Vec3(sun), map.texels[3] = Vec3(0), map.texels[4] = Vec3(1e-45f, 0, 0);
+        const EnvironmentCdf cdf = environment_cdf(map);
+        expect_tables(cdf, 1024, 32);
+        for (const auto* table : {&cdf.row, &cdf.column})
+            for (const float p : *table) ASSERT_EQ(p * 0x1p24f, std::floor(p * 0x1p24f));
+        for (int i = 0; i < 32768; ++i)
+            ASSERT_EQ(texel_probability(cdf, 1024, i % 1024, i / 1024) > 0, i != 3) << i;
+        EXPECT_GT(texel_probability(cdf, 1024, 15000 % 1024, 15000 / 1024), 0.85);
+    }
+}
+
+// What light sampling makes of the sky where the sun is hidden: the irradiance of a sky of 1 on a
+// floor, pi less the sun's own texel (4 standard errors, a false alarm in 16,000 each).
+TEST(EnvironmentCdf, LightSamplingFindsTheSkyInTheSunsShadow) {
+    constexpr int width = 64, height = 32, sun = 5 * width + 11;
+    for (const float radiance : {1e3f, 1e12f}) {
+        Picture map{width, height, std::vector<Vec3>(width * height, Vec3(1))};
+        map.texels[sun] = Vec3(radiance);
+        const EnvironmentCdf cdf = environment_cdf(map);
+        Environment e;
+        e.radiance = Vec3(1);
+        e.width = width, e.height = height;
+        e.map = {map.texels.data(), width * height};
+        e.row_cdf = {cdf.row.data(), int(cdf.row.size())};
+        e.column_cdf = {cdf.column.data(), int(cdf.column.size())};
+        std::mt19937 random(4);
+        const auto u = [&] { return float(random() >> 8) * 0x1p-24f; };
+        const int n = 400'000;
+        double sum = 0, squares = 0;
+        for (int i = 0; i < n; ++i) {
+            const float x = u(), y = u();
+            const LightSample s = sample_environment_map(e, Vec2(x, y));
+            if (!s.valid || s.radiance.x == radiance || s.wi.y <= 0) continue;
+            sum += s.radiance.x * s.wi.y / s.pdf;
+            squares += double(sqr(s.radiance.x * s.wi.y / s.pdf));
+        }
+        const double mean = sum / n, error = std::sqrt((squares / n - mean * mean) / n);
+        const double top = std::numbers::pi * 5 / height, bottom = std::numbers::pi * 6 / height;
+        const double hidden =
+            std::numbers::pi / width * (std::pow(std::cos(top), 2) - std::pow(std::cos(bottom), 2));
+        EXPECT_NEAR(mean, std::numbers::pi - hidden, 4 * error) << radiance;
+        EXPECT_LT(error, 0.05);
+    }
 }
 
 TEST(EnvironmentMap, IsReadWithItsTopRowFirst) {
