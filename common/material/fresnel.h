@@ -60,7 +60,10 @@ HD float fresnel_dielectric_schlick(float cos_i, float eta) {
 HD float fresnel_conductor(float cos_i, float eta, float k) {
     cos_i = clamp(cos_i, 0, 1);
     const float cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
-    const float re = (eta - k) * (eta + k) - sin2, im = 2 * eta * k;
+    // In double, as above: near eta = 1 the difference is small.
+    const double c = cos_i, n = eta, absorption = k;
+    const float re = static_cast<float>((n * n - 1) - absorption * absorption + c * c);
+    const float im = 2 * eta * k;
     const float modulus = sqrtf(re * re + im * im);
     // a = Re sqrt(re + i im). For re < 0 the sum cancels; a b = im / 2 gives a without.
     const float larger = sqrtf((modulus + fabsf(re)) / 2);

@@ -130,7 +130,7 @@ Material metal(const GltfMaterial& m) {
 
 Material glass(const GltfMaterial& m) {
     Material result;
-    result.ior = m.ior < 1 ? 1 : m.ior;
+    result.ior = clamp(m.ior, 1, 1e6f); // as far as Fresnel's equations hold in single precision
     result.alpha = alpha_of_roughness(m.roughness);
     result.kind = result.is_smooth() ? MaterialKind::glass : MaterialKind::rough_dielectric;
     result.reflectance = m.base_colour;

@@ -8,6 +8,22 @@
 #include <fmt/format.h>
 
 namespace raylab {
+namespace {
+
+// Fresnel's equations need the fourth power of an index, which leaves single precision near 1e9;
+// and beyond a million there is nothing to be seen.
+constexpr double largest_index = 1e6;
+constexpr const char* beyond =
+    "; beyond, the surface reflects all light but millionths: take a mirror";
+
+double refractive_index(const Node& node) {
+    const double index = node.positive();
+    if (index < 1 / largest_index || index > largest_index)
+        node.fail_expected("an index of refraction from 1e-6 to 1e6", beyond);
+    return index;
+}
+
+} // namespace
 
 void SceneBuilder::read_materials(const Node& materials) {
     for (const auto& [name, node] : materials.members())
@@ -57,11 +73,13 @@ Material SceneBuilder::read_material(const Node& node) {
     }
     if (m.kind == Kind::conductor) {
         m.k = node.at("k").rgb();
-        const Node eta = node.at("eta");
-        m.eta = eta.rgb();
-        for (const Node& channel : eta.elements()) channel.positive();
+        for (const Node& channel : node.at("k").elements())
+            if (channel.number() > largest_index)
+                channel.fail_expected("an absorption index of at most 1e6", beyond);
+        m.eta = node.at("eta").rgb();
+        for (const Node& channel : node.at("eta").elements()) refractive_index(channel);
     }
-    if (const auto ior = node.find("ior")) m.ior = float(ior->positive());
+    if (const auto ior = node.find("ior")) m.ior = float(refractive_index(*ior));
     if (const auto alpha = node.find("alpha")) {
         m.alpha = float(alpha->positive());
         if (m.alpha > 1) alpha->fail_expected("a roughness greater than 0 and at most 1");

@@ -150,6 +150,35 @@ TEST(FresExact, conductor_agrees_with_complex_arithmetic) {
     RecordProperty("naive_error", std::to_string(naive_worst * 1e6) + "e-6");
 }
 
+// What a scene may ask for, 1e-6 to 1e6 (k from 0), at all angles down to cosines of 1e-9.
+TEST(FresExact, holds_for_all_indices_that_scenes_may_have) {
+    using Complex = std::complex<long double>;
+    const auto exact = [](long double cos_i, Complex n) { // as a ratio: n may be near 0 or huge
+        const Complex s = std::sqrt((n * n - 1.0L) + cos_i * cos_i); // n cos_t
+        const Complex perpendicular = (cos_i - s) / (cos_i + s);
+        const Complex parallel = (n * n * cos_i - s) / (n * n * cos_i + s);
+        return double(std::norm(perpendicular) + std::norm(parallel)) / 2;
+    };
+    double worst_metal = 0, worst_glass = 0;
+    for (int i = -12; i <= 12; ++i)
+        for (int angle = 0; angle <= 60; ++angle) {
+            const float eta = float(std::pow(10.0, i / 2.0));
+            const float cos_i = angle % 2 ? float(std::cos(M_PI / 2 * angle / 60))
+                                          : float(std::pow(10.0, -angle * 0.15));
+            worst_glass =
+                std::max(worst_glass, std::abs(fresnel_dielectric(cos_i, eta) - exact(cos_i, eta)));
+            for (int j = -13; j <= 12; ++j) {
+                const float k = j == -13 ? 0 : float(std::pow(10.0, j / 2.0));
+                worst_metal = std::max(worst_metal, std::abs(fresnel_conductor(cos_i, eta, k) -
+                                                             exact(cos_i, Complex(eta, k))));
+            }
+        }
+    EXPECT_LE(worst_glass, 2e-6);
+    EXPECT_LE(worst_metal, 2e-6);
+    EXPECT_FALSE(fresnel_conductor(0.5f, 1, 1e10f) <= 1) << "the limit might be lifted";
+    EXPECT_FALSE(fresnel_dielectric(0.5f, 1e20f) <= 1) << "the limit might be lifted";
+}
+
 TEST(FresExact, a_perfect_conductor_reflects_all) {
     for (const float cos_i : {0.0f, 1e-4f, 0.3f, 1.0f})
         EXPECT_EQ(fresnel_conductor(cos_i, 0, 1), 1);
