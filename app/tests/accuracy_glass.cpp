@@ -1,4 +1,5 @@
-// PANE, GLASS-FURN: glass that neither makes nor swallows light.
+// PANE, GLASS-FURN, GLASS-FLOOR: glass that neither makes nor swallows light, nor lets it through
+// what it touches.
 #include "app/tests/accuracy.h"
 
 namespace raylab::app {
@@ -94,6 +95,37 @@ TEST_P(EachLab, GlassFurnEveryPathThatGetsOutFindsOne) {
         figure("GLASS-FURN", GetParam(), fmt::format("S = {}: paths beyond 64 surfaces", size),
                tail, 1e-5);
         EXPECT_EQ(paths_that(traced, PathEnd::absorbed), 0);
+    }
+}
+
+// --- GLASS-FLOOR ------------------------------------------------------------------------------
+
+// A glass block on a black floor, a lamp below it: wherever the block stands in the file, light
+// does not pass the floor where block and floor are one plane. An opaque surface counts first.
+TEST_P(EachLab, GlassOnAFloorLetsNothingThroughTheFloor) {
+    const std::string block = box({-1, 0, -1}, {1, 0.7, 1}, "glass");
+    const std::string floor = quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, "floor");
+    const std::string lamp = quad({-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, 9}, "lamp");
+    const auto lit_pixels = [&](const std::string& shapes, const std::string& integrator) {
+        const Scene scene =
+            parse({.camera = camera({0.3, 3, 2}, {0, 0, 0}, 40),
+                   .materials = R"("glass": {"kind": "glass", "ior": 1.5}, )"
+                                R"("floor": )" +
+                                diffuse(DVec3(0)) + R"(, "lamp": )" + diffuse(DVec3(0), DVec3(1)),
+                   .shapes = shapes,
+                   .render = R"("max_depth": 9, "integrator": ")" + integrator + "\"",
+                   .width = 32,
+                   .height = 32});
+        const Film film = trace(GetParam(), scene, count(4, 100)).film;
+        return static_cast<double>(
+            std::count_if(film.pixels.begin(), film.pixels.end(),
+                          [](const FilmPixel& pixel) { return pixel.sum[0] != 0; }));
+    };
+    for (const std::string integrator : {"path", "whitted"}) {
+        figure("GLASS-FLOOR", GetParam(), integrator + ", block first: lit pixels",
+               lit_pixels(block + ", " + floor + ", " + lamp, integrator), 0);
+        figure("GLASS-FLOOR", GetParam(), integrator + ", floor first: lit pixels",
+               lit_pixels(floor + ", " + block + ", " + lamp, integrator), 0);
     }
 }
 

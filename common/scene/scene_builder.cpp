@@ -47,6 +47,7 @@ Scene SceneBuilder::build() {
     scene_.lights.insert(scene_.lights.end(), mesh_lights_.begin(), mesh_lights_.end());
     if (const auto lights = root.find("lights")) read_lights(*lights);
     if (const auto expect = root.find("expect")) read_expect(*expect);
+    number_opaque_first();
 
     if (next_id_ == 0)
         scene_.warnings.push_back("the scene has no shapes: it shows only its environment");
@@ -169,6 +170,28 @@ void SceneBuilder::make_area_lights() {
         e.tags->light = int(scene_.lights.size());
         scene_.lights.push_back({e.kind, e.index, Vec3(0), Vec3(0)});
     }
+}
+
+// Of surfaces in one place a ray meets the lowest id. Opaque ones get the lower: glass that stands
+// on a floor, listed before it, would else send light on from where both end, below the floor.
+void SceneBuilder::number_opaque_first() {
+    const auto each_shape = [&](const auto& visit) {
+        for (Sphere& shape : scene_.spheres) visit(shape.tags);
+        for (Quad& shape : scene_.quads) visit(shape.tags);
+        for (Plane& shape : scene_.planes) visit(shape.tags);
+        for (Triangle& shape : scene_.triangles) visit(shape.tags);
+    };
+    std::vector<bool> is_clear(std::size_t(next_id_), false);
+    each_shape([&](const ShapeTags& tags) {
+        const MaterialKind kind = scene_.materials[tags.material].kind;
+        is_clear[tags.id] = kind == MaterialKind::glass || kind == MaterialKind::rough_dielectric;
+    });
+    std::vector<int> number(is_clear.size());
+    int next = 0;
+    for (const bool clear : {false, true})
+        for (std::size_t id = 0; id < number.size(); ++id)
+            if (is_clear[id] == clear) number[id] = next++;
+    each_shape([&](ShapeTags& tags) { tags.id = number[tags.id]; });
 }
 
 std::string SceneBuilder::read_named_file(const Node& file) {

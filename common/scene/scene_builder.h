@@ -52,6 +52,7 @@ class SceneBuilder {
     void read_procedural(const Node& shape);
 
     void make_area_lights();
+    void number_opaque_first();
     void read_environment(const Node& light);
     Transform read_transform(const Node& shape) const;
     Vec3 placed(const Node& shape, const Transform& transform,
