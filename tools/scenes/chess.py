@@ -60,8 +60,8 @@ class Document:
         self.json["accessors"].append(fields)
         return len(self.json["accessors"]) - 1
 
-    def mesh(self, name, vertices, index, material=None, uv=False):
-        """vertices: rows of position, normal and perhaps uv, interleaved in one view."""
+    def mesh(self, name, vertices, index, material=None, uv=False, colours=False):
+        """vertices: rows of position, normal and perhaps uv or an RGB colour, interleaved in one view."""
         small = len(vertices) < 256
         stride = 4 * len(vertices[0])
         data = self.view(floats(vertices), byteStride=stride)
@@ -72,6 +72,8 @@ class Document:
                       "NORMAL": self.accessor(**common, type="VEC3", byteOffset=12)}
         if uv:
             attributes["TEXCOORD_0"] = self.accessor(**common, type="VEC2", byteOffset=24)
+        if colours:
+            attributes["COLOR_0"] = self.accessor(**common, type="VEC3", byteOffset=24)
         indices = self.view(struct.pack(f"<{len(index)}{'B' if small else 'H'}", *index))
         primitive = {"attributes": attributes, "indices": self.accessor(
             bufferView=indices, componentType=5121 if small else 5123, count=len(index), type="SCALAR")}
@@ -82,6 +84,15 @@ class Document:
 
     def text(self):
         return json.dumps(self.json, separators=(",", ":")).encode()
+
+    def glb(self):
+        self.json["buffers"] = [{"byteLength": len(self.binary)}]
+        text = self.text()
+        text += b" " * (-len(text) % 4)
+        binary = bytes(self.binary) + bytes(-len(self.binary) % 4)
+        chunks = (struct.pack("<II", len(text), 0x4E4F534A) + text +
+                  struct.pack("<II", len(binary), 0x004E4942) + binary)
+        return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks
 
 
 def box(low, high):
@@ -143,13 +154,7 @@ def chess_glb():
     ]
     doc.json["scenes"] = [{"nodes": [0]}]
     doc.json["scene"] = 0
-    doc.json["buffers"] = [{"byteLength": len(doc.binary)}]
-
-    text = doc.text()
-    text += b" " * (-len(text) % 4)
-    binary = bytes(doc.binary) + bytes(-len(doc.binary) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(binary), 0x004E4942) + binary
-    return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks
+    return doc.glb()
 
 
 def pawn_gltf():

@@ -11,6 +11,7 @@ import sys
 import chess
 import dusk
 import menger
+import shelf
 import vase
 from png import checker
 
@@ -35,6 +36,7 @@ def files():
         "meshes/menger.obj": menger.menger_obj().encode(),
         "meshes/chess.glb": chess.chess_glb(),
         "meshes/pawn.gltf": chess.pawn_gltf(),
+        "meshes/shelf.glb": shelf.shelf_glb(),
         "textures/checker.png": checker(64, (214, 178, 62), (150, 28, 26)),
         "textures/vase.png": vase.vase_png(),
         "textures/dusk.hdr": dusk.dusk_hdr(),

@@ -3,8 +3,9 @@ import struct
 import zlib
 
 
-def png_bytes(palette, rows, depth):
-    """palette: (r, g, b) in 0..255; rows: palette indices, top row first; depth: 1, 2, 4 or 8 bits."""
+def png_bytes(palette, rows, depth, alphas=()):
+    """palette: (r, g, b) in 0..255; rows: palette indices, top row first; depth: 1, 2, 4 or 8 bits; alphas: of the
+    palette's first colours, 255 for the others."""
     raw = bytearray()
     for row in rows:
         raw.append(0)  # no filter
@@ -24,7 +25,7 @@ def png_bytes(palette, rows, depth):
 
     header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), depth, 3, 0, 0, 0)
     colours = b"".join(bytes(c) for c in palette)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", colours) +
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", colours) + (chunk(b"tRNS", bytes(alphas)) if alphas else b"") +
             chunk(b"IDAT", bytes(stream)) + chunk(b"IEND", b""))
 
 
