@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -169,18 +170,23 @@ class Importer {
                    "0.5]}\n    ";
         }
         const std::vector<std::string> keys = material_keys(mesh_);
+        std::map<std::string, std::vector<int>> parts; // of the file's materials, what they became
+        for (const int i : used) parts[keys[std::size_t(i)]].push_back(i);
         std::string materials, map;
-        for (const int i : used) {
-            const std::string name = quoted(keys[std::size_t(i)]);
-            const std::string text = written(mesh_.materials[std::size_t(i)]);
-            glows_ = glows_ || is_emissive(mesh_.materials[std::size_t(i)].material);
+        for (const auto& [key, indices] : parts) {
+            for (const int i : indices)
+                glows_ = glows_ || is_emissive(mesh_.materials[std::size_t(i)].material);
+            const MeshMaterial& first = mesh_.materials[std::size_t(indices[0])];
+            const std::string name = quoted(key);
+            const std::string text = indices.size() == 1 ? written(first) : "";
             if (text.empty()) {
                 notes_.push_back(fmt::format(
                     "the material {} stays the file's own, {}; \"materials\" of the mesh can put "
                     "another in its place",
                     name,
-                    mesh_.materials[std::size_t(i)].picture >= 0 ? "with its picture"
-                                                                 : "glass that glows"));
+                    first.picture >= 0   ? "with its picture"
+                    : indices.size() > 1 ? "which varies over the surface"
+                                         : "glass that glows"));
                 continue;
             }
             materials +=
@@ -203,6 +209,9 @@ class Importer {
         if (!lights.empty())
             notes_.push_back("its lights' candela are taken as they are: --exposure of render, or "
                              "another intensity, makes the picture as bright as it should be");
+        if (lights.empty() && glows_)
+            notes_.push_back("only materials that glow light it; a sky is one more line in lights: "
+                             "{\"kind\": \"environment\", \"radiance\": [1, 1, 1]}");
         if (lights.empty() && !glows_) {
             notes_.push_back("nothing in it shines: an even white sky lights it");
             lights = "\n        {\"kind\": \"environment\", \"radiance\": [1, 1, 1]}";

@@ -166,6 +166,28 @@ TEST_F(Import, ReadsTheMaterialsOfAnObjFile) {
     EXPECT_THAT(imported.text, testing::Not(HasSubstr("environment"))) << "the lamp shines";
 }
 
+TEST_F(Import, KeepsTogetherWhatOneMaterialOfTheFileBecame) {
+    Mesh mesh;
+    mesh.positions = {DVec3(0, 0, 0), DVec3(1, 0, 0), DVec3(0, 1, 0)};
+    for (const char* name : {"Wood", "Wood", "", "Wood", ""}) {
+        mesh.materials.emplace_back();
+        mesh.materials.back().name = name;
+    }
+    mesh.materials[0].source = mesh.materials[1].source = 7; // as triangles of a textured surface
+    mesh.materials[3].source = 8;
+    EXPECT_THAT(material_keys(mesh),
+                testing::ElementsAre("Wood", "Wood", "material 2", "Wood 2", "material 4"));
+    for (int i = 0; i < 5; ++i) {
+        mesh.triangles.emplace_back();
+        mesh.triangles.back().position = {0, 1, 2};
+        mesh.triangles.back().material = i;
+    }
+    const ImportedScene imported = import_scene(mesh, "m.glb", "title");
+    EXPECT_THAT(imported.text, HasSubstr("\"materials\": {\"Wood 2\": \"Wood 2\", \"material 2\": "
+                                         "\"material 2\", \"material 4\": \"material 4\"}"));
+    EXPECT_THAT(imported.notes, Contains(HasSubstr("\"Wood\" stays the file's own, which varies")));
+}
+
 TEST_F(Import, SaysWhichOfTheFilesMaterialsDoesNotExist) {
     write("m.mtl", "newmtl Wood\nKd 1 0 0\n");
     write("m.obj", "mtllib m.mtl\n" + square + "usemtl Wood\nf 1 2 3\n");

@@ -61,8 +61,8 @@ int GltfLook::material_of_variant(const Variant& variant) {
     if (variant[2] >= 0) m.roughness = float(variant[2]) / 16;
     if (variant[3] >= 0)
         for (int i = 0; i < 3; ++i) m.emission[i] *= float(variant[std::size_t(3 + i)]) / 256;
-    MeshMaterial result{m.name, nearest_material(m), -1, m.base_texture.wrap_u,
-                        m.base_texture.wrap_v};
+    MeshMaterial result{
+        m.name, nearest_material(m), -1, m.base_texture.wrap_u, m.base_texture.wrap_v, variant[0]};
     if (m.base_texture.exists()) {
         picture(m.base_texture.image); // errors belong here
         result.picture =

@@ -29,6 +29,7 @@ struct MeshMaterial {
     Material material; // without its texture
     int picture = -1;  // into Mesh::pictures, or -1; its texels are multiplied by reflectance
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat; // of the picture
+    int source = -1; // the same for all that one material of the file became; -1: this one alone
 };
 
 // A point light of a mesh file.
@@ -77,8 +78,8 @@ Mesh parse_gltf(std::string_view bytes, const std::string& name, const ReadNamed
 Mesh parse_mesh(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
                 MeshLook look);
 
-// How a scene calls the materials of a mesh file: by their names; a second Wood is "Wood 2", the
-// fifth material, if it has no name, "material 5".
+// How a scene calls the materials of a mesh file, for each of Mesh::materials: by their names; a
+// second Wood is "Wood 2", the fifth of all, if it has no name, "material 5".
 std::vector<std::string> material_keys(const Mesh& mesh);
 
 // Gives every triangle that has no normals one per corner: the mean of the faces' normals around

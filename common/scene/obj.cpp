@@ -187,7 +187,8 @@ class ObjReader {
 
     void read_materials() {
         const MtlLibrary library = read_mtl(libraries_, name_, read_, mesh_);
-        for (MeshMaterial& material : mesh_.materials) {
+        for (std::size_t i = 0; i < mesh_.materials.size(); ++i) {
+            MeshMaterial& material = mesh_.materials[i];
             const auto found = library.find(material.name);
             if (found != library.end())
                 material = found->second;
@@ -196,6 +197,7 @@ class ObjReader {
                     fmt::format("{}: no MTL file describes the material {}; it "
                                 "is drawn in grey",
                                 name_, quote(material.name)));
+            material.source = int(i);
         }
         for (const Face& face : faces_)
             if (face.material < 0 && default_material_ < 0)

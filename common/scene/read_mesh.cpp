@@ -46,12 +46,19 @@ Mesh parse_mesh(std::string_view bytes, const std::string& name, const ReadNamed
 
 std::vector<std::string> material_keys(const Mesh& mesh) {
     std::vector<std::string> keys;
+    std::map<int, std::string> of_source;
     std::set<std::string> taken;
     for (const MeshMaterial& material : mesh.materials) {
+        const auto found = of_source.find(material.source);
+        if (material.source >= 0 && found != of_source.end()) {
+            keys.push_back(found->second);
+            continue;
+        }
         const std::string name =
-            material.name.empty() ? fmt::format("material {}", keys.size() + 1) : material.name;
+            material.name.empty() ? fmt::format("material {}", taken.size() + 1) : material.name;
         std::string key = name;
         for (int i = 2; !taken.insert(key).second; ++i) key = fmt::format("{} {}", name, i);
+        of_source[material.source] = key;
         keys.push_back(key);
     }
     return keys;
@@ -92,10 +99,13 @@ std::vector<int> SceneBuilder::add_mesh_materials(const Node& shape, const Node&
     std::map<std::string, int> instead;
     if (const auto map = shape.find("materials"))
         for (const auto& [key, material] : map->members()) {
-            if (std::find(keys.begin(), keys.end(), key) == keys.end())
-                material.fail(fmt::format(
-                    "the mesh file has no material {}{}", quote(key),
-                    keys.empty() ? "" : did_you_mean(key, keys) + "; it has " + listed(keys)));
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+                const std::set<std::string> names(keys.begin(), keys.end());
+                const std::vector<std::string> known(names.begin(), names.end());
+                material.fail(fmt::format("the mesh file has no material {}{}; it has {}",
+                                          quote(key), did_you_mean(key, known),
+                                          known.empty() ? "none" : listed(known)));
+            }
             instead[key] = material_named(material);
         }
     std::vector<int> indices;
