@@ -23,14 +23,14 @@ double true_mse(int spp) {
     return sum / (3.0 * size * size);
 }
 
-// A reference of no more samples than the render itself, which says so by its variance.
+// A reference of no more samples than the render itself, which says so by its standard error.
 Image noisy_reference(int spp) {
     Image reference = simulated::render(size, size, 99, spp, Noise::pixel);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const Vec3 t = simulated::truth(x, y, size, size);
-            reference.error.push_back(t * glm::sqrt(simulated::sample_variance(Noise::pixel, spp) /
-                                         float(spp));
+            reference.error.push_back(
+                t * glm::sqrt(simulated::sample_variance(Noise::pixel, spp) / float(spp)));
         }
     return reference;
 }
