@@ -80,8 +80,9 @@ class GltfReader {
                 continue;
             }
             check_material(primitive, node.mesh);
-            const GltfVertices vertices = read_gltf_vertices(file_, node.mesh, primitive, weights,
-                                                             uv_sets(primitive), losses_);
+            GltfVertices vertices = read_gltf_vertices(file_, node.mesh, primitive, weights,
+                                                       uv_sets(primitive), losses_);
+            supply_uvs(primitive, vertices);
             const std::vector<Part> parts = look_at(primitive, vertices);
             const std::vector<Transform> bound =
                 joints.empty() ? std::vector<Transform>{}
@@ -113,6 +114,15 @@ class GltfReader {
         for (const GltfTexture* texture : {&m.metallic_roughness_texture, &m.emissive_texture})
             if (texture->exists()) sets.insert(texture->uv_set);
         return sets;
+    }
+
+    // A texture without texture coordinates shows one place, as in viewers.
+    void supply_uvs(const tinygltf::Primitive& primitive, GltfVertices& vertices) {
+        if (!look_) return;
+        const GltfTexture& texture = look_->material(primitive.material).base_texture;
+        if (!texture.exists() || vertices.uvs.contains(texture.uv_set)) return;
+        vertices.uvs[texture.uv_set].assign(vertices.positions.size(), Vec2(0));
+        losses_.add("texture coordinates that a texture needs", "primitive");
     }
 
     // The triangles with their materials, as far as they are not cut out.

@@ -293,6 +293,17 @@ TEST(GltfLook, ImageNamesArePercentDecoded) {
     EXPECT_EQ(mesh.pictures.size(), 1u);
 }
 
+TEST(GltfLook, ATextureWithoutCoordinatesShowsOnePlace) {
+    GltfMaker maker = one_triangle();
+    const std::string rest = texture_of(maker, png(1, 1, "abc"));
+    const Scene scene = load_made(triangle_file(
+        maker, "", with(base_texture, "\"index\":0", "\"index\":0,\"texCoord\":3"), rest));
+    EXPECT_EQ(scene.corners.at(0).uv[1], Vec2(0, 1));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("texture coordinates that a texture needs (1 primitive)"),
+              std::string::npos);
+}
+
 TEST(GltfLook, ApproximationsAreSentences) {
     for (const std::string& sentence : gltf_approximations()) EXPECT_EQ(sentence.back(), '.');
     EXPECT_GE(gltf_approximations().size(), 8u);
