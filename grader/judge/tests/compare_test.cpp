@@ -171,7 +171,7 @@ TEST(Independent, AReferenceOfOneSampleIsRefused) {
 }
 
 // The rate is promised for a thousandth; a hundredth shows itself in fewer gradings. Of `gradings`
-// right pairs at a rate of .01 more than 10 are called different with a probability of 6e-6.
+// right pairs at a rate of .01 more than 10 are called different with a probability of 7e-6.
 TEST(Compare, RightReplicatesAreCalledDifferentAsRarelyAsPromised) {
     constexpr std::uint64_t gradings = 200;
     CompareOptions options;
