@@ -89,8 +89,9 @@ HD bool is_clear_of_edges(const Quad& quad, DVec3 p, float error) {
     const DVec3 from_corner = p - DVec3(quad.v[0]);
     const DVec3 clearance = edge_clearance(quad.v, p, error);
     const double c0 = dot(quad.across[0], from_corner), c1 = dot(quad.across[1], from_corner);
-    return (glm::min(c0, 1 - c0) > dot(clearance, glm::abs(quad.across[0]))) &
-           (glm::min(c1, 1 - c1) > dot(clearance, glm::abs(quad.across[1])));
+    const bool clear_of_0 = glm::min(c0, 1 - c0) > dot(clearance, glm::abs(quad.across[0])),
+               clear_of_1 = glm::min(c1, 1 - c1) > dot(clearance, glm::abs(quad.across[1]));
+    return clear_of_0 && clear_of_1;
 }
 
 } // namespace raylab
