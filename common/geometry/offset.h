@@ -20,14 +20,16 @@ HD_HOT Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
 }
 
 // The shadow feeler from a surface to a point, free of the surfaces at both ends: occluded()
-// answers whether anything lies between. target_error and target_normal describe the surface the
-// target lies on, as in SurfacePoint; for a point in space pass 0 and any normal.
+// answers whether anything lies between. target_error: how far along
+// target_normal rounding can put the target off the surface it lies on; 0 for a point in space.
+// target_normal: unit, on the side on which the feeler arrives. The caller says which side that is:
+// at the rim of a small sphere the rounding of o would decide it wrongly.
 HD_HOT Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
                         Vec3 target_normal) {
     const Vec3 o = offset_point(surface.p, surface.ng, surface.error, target - surface.p);
     // Rounding the direction moves its far end by a few ulps of the distance.
     const float aim_error = gamma_bound(4) * length(target - o);
-    const Vec3 end = offset_point(target, target_normal, target_error + aim_error, o - target);
+    const Vec3 end = target + 2 * (target_error + aim_error) * target_normal;
     const float distance = length(end - o);
     return {o, (end - o) / distance, distance};
 }

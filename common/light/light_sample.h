@@ -10,7 +10,7 @@ namespace raylab {
 struct LightSample {
     Vec3 p = Vec3(0);        // the point (nothing for the environment)
     float error = 0;         // how far along n rounding can put p off the light
-    Vec3 n = Vec3(0);        // the light's unit normal there, on either side
+    Vec3 n = Vec3(0);        // the light's unit normal there, on the side that faces `from`
     Vec3 wi = Vec3(0);       // unit, from the receiver to the light
     float distance = 0;      // from `from` to p; infinity for the environment
     Vec3 radiance = Vec3(0); // arriving if nothing is in the way; point: intensity / distance^2
@@ -32,8 +32,10 @@ HD_HOT LightSample light_sample_at(Vec3 from, Vec3 p, float error, Vec3 n, float
     const Vec3 d = p - from;
     const float distance2 = length_squared(d), distance = sqrtf(distance2);
     const Vec3 wi = d / distance;
-    const float pdf = solid_angle_pdf(area_pdf, distance2, fabsf(dot(wi, n)));
-    return {p, error, n, wi, distance, radiance, pdf, false, pdf > 0 && pdf < infinity};
+    const float cosine = -dot(wi, n);
+    const float pdf = solid_angle_pdf(area_pdf, distance2, fabsf(cosine));
+    return {p,   error, copysignf(1.0f, cosine) * n, wi, distance, radiance,
+            pdf, false, pdf > 0 && pdf < infinity};
 }
 
 } // namespace raylab

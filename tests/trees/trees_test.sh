@@ -7,6 +7,7 @@ root=$(cd -- "$here/../.." && pwd)
 scratch=$(mktemp -d)
 scratch=$(cd -- "$scratch" && pwd -P)
 trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch" || exit 3 # called from within another tree, a link would be refused
 unset RAYLAB_PRESET CMAKE_PREFIX_PATH CXX
 failures=0
 

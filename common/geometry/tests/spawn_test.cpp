@@ -286,7 +286,8 @@ TEST(SELF_CONVEX, a_feeler_from_far_away_is_free_of_a_light_near_the_origin) {
         const Vec3 target(project(exact_plane(light, true), 1e-3 * (random.uniform() * e1 + e2)));
         ++feelers;
         const float error = error_on_plane(exact_plane(light, true), target, light.normal, 1);
-        blocked += occluded<all_shapes>(world.view(), spawn_ray_to(p, target, error, light.normal));
+        const Vec3 facing = light.normal * copysignf(1, float(dot(away, n)));
+        blocked += occluded<all_shapes>(world.view(), spawn_ray_to(p, target, error, facing));
         // Both ends moved off their surfaces, the way's own rounding forgotten.
         const Vec3 o = offset_point(p.p, p.ng, p.error, target - p.p);
         const Vec3 end = offset_point(target, light.normal, error, o - target);
@@ -340,6 +341,7 @@ TEST(SELF_CONVEX, a_shadow_feeler_sees_neither_of_its_ends) {
             if (fabs(dot(way, DVec3(normal))) < 1e-4 * distance) continue;
             if (i % 3 == 0 && dot(way, DVec3(normal)) > 0) continue;
             ++feelers;
+            if (dot(way, DVec3(normal)) > 0) normal = -normal;
             const Ray feeler = spawn_ray_to(p, target, error, normal);
             blocked += occluded<all_shapes>(world.view(), feeler);
             const Ray naive_ray{p.p, normalize(target - p.p), length(target - p.p)};
