@@ -10,38 +10,31 @@
 // which are wi and its mirror image, one of them, or none. f' is the BSDF of the surface for all
 // purposes: sampling, light sampling and their weights.
 //
-// What it keeps: nothing passes an opaque surface. The energy that leaves for each wo is the BSDF's
-// own: integral of f' = integral of f. Delta lobes just fold. What it does not: f' is not
+// Folded diffuse light would be twice as bright where it grazes the face, and a ball of few
+// triangles would show a bright rim before its shadow: diffuse light is squeezed instead
+// (squeeze.h).
+//
+// What both keep: nothing passes an opaque surface. The energy that leaves for each wo is the
+// BSDF's own: integral of f' = integral of f. Delta lobes just fold. What it does not: f' is not
 // reciprocal, which no interpolated normal is (Veach 1997, 5.3.2), and a tracer from the camera
-// does not need. What it costs: a second f where the mirror image lies above n too, in kernels with
-// corners.
+// does not need. What it costs, in kernels with corners: a second f where the mirror image lies
+// above n too.
 #pragma once
 
 #include "common/geometry/surface.h"
 #include "common/material/bsdf_sample.h"
+#include "common/material/material.h"
+#include "common/transport/squeeze.h"
 
 namespace raylab {
-
-HD Vec3 mirrored(const SurfacePoint& surface, Vec3 w) {
-    return w - 2 * dot(w, surface.ng) * surface.ng;
-}
-
-// T(w), w given in the shading frame: the world direction on that side of ng on which w is of n.
-// Rounding has no say in that: where w and its mirror image both seem to lie in the face, or
-// beyond, T(w) is lifted off the face by a little more than rounding can take.
-HD_HOT Vec3 fold_to_world(const SurfacePoint& surface, Vec3 w) {
-    const Vec3 world = surface.shading.to_world(w);
-    if (w.z * dot(world, surface.ng) > 0) return world;
-    const Vec3 folded = mirrored(surface, world);
-    if (w.z * dot(folded, surface.ng) > 0) return folded;
-    return folded + copysignf(0x1p-20f, w.z) * surface.ng;
-}
 
 // f' |cos| and pdf'. wo, wi: world. evaluate(wo, wi): the BSDF in the shading frame. F says whether
 // n may be tilted at all.
 template <Features F, class Evaluate>
-HD_HOT BsdfValue fold_value(const SurfacePoint& surface, Vec3 wo, Vec3 wi,
+HD_HOT BsdfValue fold_value(const SurfacePoint& surface, const Material& m, Vec3 wo, Vec3 wi,
                             const Evaluate& evaluate) {
+    if constexpr ((F & feature::corners) != 0)
+        if (m.kind == MaterialKind::diffuse) return squeeze_value(surface, wo, wi, evaluate);
     constexpr int images = F & feature::corners ? 2 : 1;
     const float side = dot(wi, surface.ng);
     BsdfValue sum;
@@ -59,9 +52,11 @@ HD_HOT BsdfValue fold_value(const SurfacePoint& surface, Vec3 wo, Vec3 wi,
 // A sample of the BSDF, drawn in the shading frame, becomes one of f': wi = T(w), world. Its weight
 // stays: the mean of f / pdf over all w that fold to wi is f' / pdf'. Its density becomes pdf'.
 template <Features F, class Evaluate>
-HD_HOT BsdfSample fold_sample(const SurfacePoint& surface, Vec3 wo, BsdfSample sample,
-                              const Evaluate& evaluate) {
+HD_HOT BsdfSample fold_sample(const SurfacePoint& surface, const Material& m, Vec3 wo,
+                              BsdfSample sample, const Evaluate& evaluate) {
     if (!sample.valid) return sample;
+    if constexpr ((F & feature::corners) != 0)
+        if (m.kind == MaterialKind::diffuse) return squeeze_sample(surface, wo, sample, evaluate);
     const Vec3 w = sample.wi;
     sample.wi = fold_to_world(surface, w);
     if constexpr ((F & feature::corners) != 0) {

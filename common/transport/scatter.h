@@ -11,7 +11,7 @@ namespace raylab {
 template <Features F>
 HD_HOT BsdfValue evaluate_bsdf(const SurfacePoint& surface, const Material& m, Vec3 reflectance,
                                Vec3 wo, Vec3 wi) {
-    return fold_value<F>(surface, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {
+    return fold_value<F>(surface, m, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {
         return evaluate_bsdf<F>(m, reflectance, local_wo, local_wi);
     });
 }
@@ -22,7 +22,7 @@ HD_HOT BsdfSample sample_bsdf(const SurfacePoint& surface, const Material& m, Ve
                               Vec3 wo, float u_lobe, Vec2 u) {
     const BsdfSample sample =
         sample_bsdf<F>(m, reflectance, surface.shading.to_local(wo), u_lobe, u);
-    return fold_sample<F>(surface, wo, sample, [&](Vec3 local_wo, Vec3 local_wi) {
+    return fold_sample<F>(surface, m, wo, sample, [&](Vec3 local_wo, Vec3 local_wi) {
         return evaluate_bsdf<F>(m, reflectance, local_wo, local_wi);
     });
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/material/bsdf.h"
-#include "common/transport/fold.h"
+#include "common/transport/face_side.h"
 
 namespace raylab {
 

@@ -47,7 +47,7 @@ inline SpecularSplit split_light(const Material& material, Vec3 reflectance, Vec
 // tells how smooth shading keeps both that and the energy).
 inline BsdfValue evaluate(const SurfacePoint& surface, const Material& material, Vec3 reflectance,
                           Vec3 wo, Vec3 wi) {
-    return fold_value<feature::all>(surface, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {
+    return fold_value<feature::all>(surface, material, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {
         return evaluate(material, reflectance, local_wo, local_wi);
     });
 }
@@ -56,9 +56,10 @@ inline BsdfSample scatter(const SurfacePoint& surface, const Material& material,
                           Vec3 wo, float u_lobe, Vec2 u) {
     const BsdfSample sample =
         scatter(material, reflectance, surface.shading.to_local(wo), u_lobe, u);
-    return fold_sample<feature::all>(surface, wo, sample, [&](Vec3 local_wo, Vec3 local_wi) {
-        return evaluate(material, reflectance, local_wo, local_wi);
-    });
+    return fold_sample<feature::all>(surface, material, wo, sample,
+                                     [&](Vec3 local_wo, Vec3 local_wi) {
+                                         return evaluate(material, reflectance, local_wo, local_wi);
+                                     });
 }
 
 inline SpecularSplit split_light(const SurfacePoint& surface, const Material& material,
