@@ -3,16 +3,18 @@
 #include "app/bench_lab.h"
 #include "app/bench_peers.h"
 #include "app/commands.h"
+#include "app/interrupted.h"
 #include "app/judged_scene.h"
-#include "app/output.h"
 #include "app/rare_cases.h"
 #include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "grader/bench/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <set>
 
 namespace raylab::app {
@@ -181,11 +183,32 @@ ExitCode run_bench(BenchOptions options) try {
     bench.command = command_line(options);
     bench.options = {options.plan, options.baseline, options.target};
     bench.threads = options.machine.threads;
-    for (const Scene& scene : scenes)
-        bench.scenes.push_back(bench_scene(options, bench.options, scene));
-    if (options.rare_cases)
-        bench.rare_cases = measure_rare_cases(options.machine, options.plan.rounds,
-                                              [](const RareCaseRow&) {}); // shown with the rest
+    std::mutex mutex; // of what is finished
+    const auto work = [&] {
+        for (const Scene& scene : scenes) {
+            SceneResult result = bench_scene(options, bench.options, scene);
+            const std::lock_guard lock(mutex);
+            bench.scenes.push_back(std::move(result));
+            if (interrupted()) return;
+        }
+        if (!options.rare_cases) return;
+        std::vector<RareCaseRow> rows = measure_rare_cases(
+            options.machine, options.plan.rounds, [](const RareCaseRow&) {}); // shown with the rest
+        const std::lock_guard lock(mutex);
+        bench.rare_cases = std::move(rows);
+    };
+    const KeepsWork keeping;
+    run_interruptibly(work);
+    if (interrupted())
+        end_interrupted([&] {
+            const std::lock_guard lock(mutex);
+            if (bench.scenes.empty())
+                return say_interrupted(" before the first scene was measured: nothing was written");
+            write_bench(bench, options.folder);
+            if (!options.json) print(bench, options.folder);
+            say_interrupted(fmt::format(": '{}/bench.html' has {} of {} scenes", options.folder,
+                                        bench.scenes.size(), scenes.size()));
+        });
     if (other) bench.against = compare_runs(to_json(bench), *other, options.against);
     write_bench(bench, options.folder);
     if (options.json)
@@ -250,7 +273,8 @@ Run add_bench(CLI::App& app) {
                  "in the page, in bench.json and in rare_cases.csv");
     app.add_flag("--json", options->json, "print bench.json instead of the tables");
     add_machine_options(app, options->machine);
-    app.footer("Examples:\n"
+    app.footer("Ctrl-C keeps the scenes that were measured until then.\n"
+               "Examples:\n"
                "  raylab bench\n"
                "  raylab bench cornell_peers --size 512x512 --baseline cycles --spp 8,32\n"
                "  raylab bench cornell --peers none --labs 01,02 --repeats 9 -o out/today\n"

@@ -1,8 +1,10 @@
 // raylab bench-rays: rays a second, structures and walks in turns, every answer compared.
 #include "app/commands.h"
-#include "app/output.h"
+#include "app/interrupted.h"
 #include "app/ray_contestants.h"
 #include "app/scene_changes.h"
+#include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/scene/load.h"
 #include "common/scene/procedural/procedural.h"
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <mutex>
 
 namespace raylab::app {
 
@@ -69,17 +72,13 @@ std::vector<int> sizes(const std::string& range) {
     return result;
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 // "terrain:10000", a mesh file, or a scene.
 RayMesh load(const std::string& name, const RaysOptions& options) {
     const std::size_t colon = name.find(':');
-    const std::string ending = lower(std::filesystem::path(name).extension().string());
+    const std::string ending = ending_of(name);
     RayMesh mesh;
-    if (colon != name.npos && !std::filesystem::exists(name)) {
+    std::error_code ignored;
+    if (colon != name.npos && !std::filesystem::exists(name, ignored)) {
         const std::string kind = name.substr(0, colon);
         check_words("mesh", {kind}, procedural_mesh_names());
         mesh = procedural_ray_mesh(kind, triangle_count(name.substr(colon + 1)), options.race.seed);
@@ -186,15 +185,33 @@ ExitCode run_bench_rays(RaysOptions options) try {
     std::map<std::string, RayMesh> loaded;
     if (options.scaling.empty())
         for (const std::string& name : options.meshes) loaded[name] = load(name, options);
-    for (const std::string& name : options.meshes) {
-        RayMesh mesh = options.scaling.empty() ? loaded.at(name) : load(name, options);
-        set_film_size(mesh.camera, bench.width, bench.height);
-        const int steps = race_steps(contestants, options.race);
-        Progress progress("bench-rays " + mesh.name, steps, "runs", 1);
-        int done = 0;
-        bench.races.push_back(
-            race(mesh, contestants, options.race, [&] { progress.update(++done); }));
-    }
+    std::mutex mutex; // of what is finished
+    const auto work = [&] {
+        for (const std::string& name : options.meshes) {
+            RayMesh mesh = options.scaling.empty() ? loaded.at(name) : load(name, options);
+            set_film_size(mesh.camera, bench.width, bench.height);
+            const int steps = race_steps(contestants, options.race);
+            Progress progress("bench-rays " + mesh.name, steps, "runs", 1);
+            int done = 0;
+            RayRace result =
+                race(mesh, contestants, options.race, [&] { progress.update(++done); });
+            const std::lock_guard lock(mutex);
+            bench.races.push_back(std::move(result));
+            if (interrupted()) return;
+        }
+    };
+    const KeepsWork keeping;
+    run_interruptibly(work);
+    if (interrupted())
+        end_interrupted([&] {
+            const std::lock_guard lock(mutex);
+            if (bench.races.empty())
+                return say_interrupted(" before the first mesh was measured: nothing was written");
+            write_rays_bench(bench, options.folder);
+            if (!options.json) print(bench, options.folder);
+            say_interrupted(fmt::format(": '{}/rays.html' has {} of {} meshes", options.folder,
+                                        bench.races.size(), options.meshes.size()));
+        });
     write_rays_bench(bench, options.folder);
     if (options.json)
         fmt::print("{}\n", to_json(bench).dump(2));
@@ -257,7 +274,8 @@ Run add_bench_rays(CLI::App& app) {
     app.add_option("-o,--output", options->folder, "folder for rays.html, rays.json, rays.csv")
         ->capture_default_str();
     app.add_flag("--json", options->json, "print rays.json instead of the tables");
-    app.footer("Examples:\n"
+    app.footer("Ctrl-C keeps the meshes that were measured until then.\n"
+               "Examples:\n"
                "  raylab bench-rays\n"
                "  raylab bench-rays bunny.glb dragon.glb --structures embree,embree_robust\n"
                "  raylab bench-rays sponza.glb --camera -100,20,-4,100,40,-4\n"

@@ -1,6 +1,6 @@
 // raylab compare A B, or A1 A2 ... --with B1 B2 ...: error metrics, z-map, verdict, picture.
 #include "app/commands.h"
-#include "app/output.h"
+#include "common/cli/files.h"
 #include "common/image/image_file.h"
 #include "grader/judge/json.h"
 #include "grader/report/report.h"

@@ -1,7 +1,9 @@
 // raylab demo: every lab renders the bundled scenes, every image is judged, one page shows it all.
 #include "app/commands.h"
+#include "app/interrupted.h"
 #include "app/judged_scene.h"
-#include "app/output.h"
+#include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/scene/load.h"
 #include "grader/judge/json.h"
@@ -10,6 +12,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <mutex>
+#include <optional>
 #include <thread>
 
 namespace raylab::app {
@@ -71,38 +75,67 @@ void print_row(const JudgedScene& judged) {
         fmt::print("       {}\n", judged.same_paths->verdict.sentence);
 }
 
-ExitCode run_demo(const DemoOptions& options) {
-    prepare_output(options.folder + "/report.html");
-    Report report{"raylab demo", machine_line(), "raylab demo", {}};
+// What is finished of the demo.
+struct Finished {
+    std::mutex mutex;
+    Report report;
     bool passed = true;
-    if (!options.json)
-        fmt::print("{:6} {:20} {:14} {:>9} {:>9} {:>9}\n", "", "scene", "lab", "samples", "tracing",
-                   "relMSE");
-    Progress progress("demo", static_cast<int>(options.scenes.size() * labs().size()), "renders",
-                      1);
+};
+
+void judge_all(const DemoOptions& options, Progress& progress, Finished& finished) {
     int done = 0;
     for (const std::string& name : options.scenes) {
         const Scene scene = load_scene(find_scene(name));
         const Image reference = load_reference(scene);
         std::optional<JudgedScene> before;
         for (const Lab& lab : labs()) {
+            if (interrupted()) return;
             JudgedScene judged = judge_scene(lab, scene, reference, options.machine, options.seed);
             if (before) judge_against(judged, *before);
-            passed = passed && judged.passed;
             progress.clear();
+            const std::lock_guard lock(finished.mutex);
+            finished.passed = finished.passed && judged.passed;
             if (!options.json) print_row(judged);
-            report.entries.push_back(report_entry(judged, reference));
+            finished.report.entries.push_back(report_entry(judged, reference));
             before = std::move(judged);
             progress.update(++done);
         }
     }
+}
+
+void write_demo(const DemoOptions& options, const Report& report) {
     write_report(report, options.folder);
-    if (options.json)
-        fmt::print("{}\n", report_json(report).dump(2));
-    else
-        fmt::print("{} in {}; see {}/report.html\n", passed ? "all passed" : "NOT all passed",
+    if (options.json) fmt::print("{}\n", report_json(report).dump(2));
+}
+
+ExitCode run_demo(const DemoOptions& options) {
+    prepare_output(options.folder + "/report.html");
+    Finished finished;
+    finished.report = {"raylab demo", machine_line(), "raylab demo", {}};
+    if (!options.json)
+        fmt::print("{:6} {:20} {:14} {:>9} {:>9} {:>9}\n", "", "scene", "lab", "samples", "tracing",
+                   "relMSE");
+    const std::size_t renders = options.scenes.size() * labs().size();
+    Progress progress("demo", static_cast<int>(renders), "renders", 1);
+    const KeepsWork keeping;
+    run_interruptibly([&] { judge_all(options, progress, finished); }, [&] { progress.tick(); });
+    const std::lock_guard lock(finished.mutex);
+    const Report& report = finished.report;
+    progress.clear();
+    if (interrupted())
+        end_interrupted([&] {
+            if (report.entries.empty())
+                return say_interrupted(" before the first image was judged: nothing was written");
+            write_demo(options, report);
+            say_interrupted(fmt::format(": '{}/report.html' has {} of {} images", options.folder,
+                                        report.entries.size(), renders));
+        });
+    write_demo(options, report);
+    if (!options.json)
+        fmt::print("{} in {}; see {}/report.html\n",
+                   finished.passed ? "all passed" : "NOT all passed",
                    human_duration(progress.seconds()), options.folder);
-    return passed ? ExitCode::success : ExitCode::judged_failed;
+    return finished.passed ? ExitCode::success : ExitCode::judged_failed;
 }
 
 } // namespace
@@ -116,7 +149,8 @@ Run add_demo(CLI::App& app) {
     app.add_option("--seed", options->seed, "seed of the first replicate")->capture_default_str();
     app.add_flag("--json", options->json, "print results.json instead of the table");
     add_machine_options(app, options->machine);
-    app.footer("Examples:\n  raylab demo\n  raylab demo cornell whitted -o out/two");
+    app.footer("Ctrl-C writes the report of the images that were judged until then.\n"
+               "Examples:\n  raylab demo\n  raylab demo cornell whitted -o out/two");
     return [options] {
         if (options->scenes.empty()) options->scenes = bundled_scenes();
         if (options->scenes.empty() || labs().empty())

@@ -2,7 +2,6 @@
 #include "app/commands.h"
 #include "app/export_blender.h"
 #include "app/export_mitsuba.h"
-#include "app/output.h"
 #include "common/cli/files.h"
 
 #include <fmt/format.h>

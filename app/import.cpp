@@ -30,7 +30,7 @@ std::string bytes_of(const fs::path& path) {
 
 ExitCode run_import(const ImportOptions& options) {
     const fs::path file = options.file, output = options.output;
-    if (output.extension() != ".json")
+    if (ending_of(output) != ".json")
         throw UsageError(
             fmt::format("'{}' is no name for a scene: it should end in .json", options.output));
     if (fs::exists(output) && !options.force)

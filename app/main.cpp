@@ -1,11 +1,9 @@
 // raylab: the program behind the script of the same name.
 #include "app/commands.h"
+#include "app/errors.h"
 #include "app/options.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/own_tree.h"
-#include "common/image/image_file.h"
-#include "common/scene/scene_error.h"
-
-#include <fmt/format.h>
 
 #include <map>
 
@@ -53,23 +51,10 @@ int run(int argc, char** argv) {
 } // namespace raylab::app
 
 int main(int argc, char** argv) {
-    using raylab::ExitCode;
+    raylab::catch_signals();
     try {
         return raylab::app::run(argc, argv);
-    } catch (const raylab::app::UsageError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const raylab::SettingsError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const raylab::SceneError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const raylab::ImageError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::tool_failed);
+    } catch (...) {
+        return static_cast<int>(raylab::app::report_exception());
     }
 }

@@ -1,16 +1,12 @@
-// Outputs are checked before the work begins: nobody should wait an hour to learn of a typing
-// error.
+// Images are checked before the work begins, as other outputs are (common/cli/files.h).
 #pragma once
 
 #include <string>
 
 namespace raylab::app {
 
-// Makes the folder of `path` if need be and tries whether a file can be created there. Throws
-// UsageError, which names the place and what to do.
-void prepare_output(const std::string& path);
-
-// The same for an image; throws also if the name's ending is none that can be written.
+// prepare_output() for an image: throws UsageError if the name's ending is none that can be
+// written, in capitals or not.
 void prepare_image_output(const std::string& path);
 
 } // namespace raylab::app

@@ -18,7 +18,9 @@ ExitCode run_rare_cases(const RareCaseOptions& options) {
     if (!options.json) fmt::print("{}", bench::rare_case_header());
     const std::vector<bench::RareCaseRow> rows =
         measure_rare_cases(options.machine, options.rounds, [&](const bench::RareCaseRow& row) {
-            if (!options.json) fmt::print("{}", to_table(row));
+            if (options.json) return;
+            fmt::print("{}", to_table(row));
+            std::fflush(stdout); // an interrupt loses what a pipe has not got yet
         });
     if (options.json) fmt::print("{}\n", to_json(rows).dump(2));
     return ExitCode::success;

@@ -1,13 +1,16 @@
 // raylab reference: the images that others are judged against, each with its own standard error.
 #include "app/commands.h"
+#include "app/interrupted.h"
 #include "app/output.h"
 #include "app/replicates.h"
-#include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
 #include "common/scene/load.h"
 
 #include <fmt/format.h>
+
+#include <mutex>
 
 namespace raylab::app {
 
@@ -21,26 +24,14 @@ struct ReferenceOptions {
     MachineSettings machine;
 };
 
-// 16 times the scene's own samples, in replicates with seeds of their own.
-void make_reference(const ReferenceOptions& options, const std::string& name) {
-    ReplicateJob job = {&find_lab(options.lab), load_scene(find_scene(name)), options.machine,
-                        options.seed};
-    const int total = options.spp > 0 ? options.spp : 16 * job.scene.render.spp;
-    job.scene.render.spp = std::max(1, total / options.replicates);
-    const std::string path = fmt::format("{}/{}.exr", options.folder, job.scene.name);
-    prepare_image_output(path);
-
+// What is finished of a reference.
+struct Finished {
+    std::mutex mutex;
     ReplicateMean mean;
-    double seconds = 0;
-    Progress progress(job.scene.name, options.replicates, "samples",
-                      double(job.scene.render.spp) * job.scene.camera.width *
-                          job.scene.camera.height);
-    for (int r = 0; r < options.replicates; ++r) {
-        mean.add(render_replicate(job, r, &seconds));
-        progress.update(r + 1);
-    }
-    Image image = mean.mean();
-    image.provenance.seed = options.seed;
+    int replicates = 0;
+};
+
+void write_reference(const Image& image, const std::string& path, double seconds) {
     write_image(image, path);
     double error = 0, level = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -50,7 +41,61 @@ void make_reference(const ReferenceOptions& options, const std::string& name) {
     const double pixels = static_cast<double>(image.pixels());
     fmt::print("{}: {} spp, mean {:.5g}, standard error of a pixel {:.2g} (rms, green), {}\n", path,
                image.provenance.spp, level / pixels, std::sqrt(error / pixels),
-               human_duration(progress.seconds()));
+               human_duration(seconds));
+}
+
+// Samples a pixel of the reference of that scene under this name; 0: there is none.
+int spp_of(const std::string& path, const Scene& scene) try {
+    const Provenance there = read_image(path).provenance;
+    return there.scene_hash == scene.hash ? there.spp : 0;
+} catch (const ImageError&) {
+    return 0;
+}
+
+// 16 times the scene's own samples, in replicates with seeds of their own.
+void make_reference(const ReferenceOptions& options, const std::string& name) {
+    ReplicateJob job = {&find_lab(options.lab), load_scene(find_scene(name)), options.machine,
+                        options.seed};
+    const int total = options.spp > 0 ? options.spp : 16 * job.scene.render.spp;
+    job.scene.render.spp = std::max(1, total / options.replicates);
+    const std::string path = fmt::format("{}/{}.exr", options.folder, job.scene.name);
+    prepare_image_output(path);
+
+    Finished finished;
+    Progress progress(job.scene.name, options.replicates, "samples",
+                      double(job.scene.render.spp) * job.scene.camera.width *
+                          job.scene.camera.height);
+    const auto work = [&] {
+        for (int r = 0; r < options.replicates && !interrupted(); ++r) {
+            const Image image = render_replicate(job, r);
+            const std::lock_guard lock(finished.mutex);
+            finished.mean.add(image);
+            progress.update(finished.replicates = r + 1);
+        }
+    };
+    const KeepsWork keeping;
+    run_interruptibly(work, [&] { progress.tick(); });
+    const std::lock_guard lock(finished.mutex);
+    const auto mean = [&] {
+        Image image = finished.mean.mean();
+        image.provenance.seed = options.seed;
+        return image;
+    };
+    progress.clear();
+    if (!interrupted()) return write_reference(mean(), path, progress.seconds());
+    end_interrupted([&] {
+        if (finished.replicates < 2)
+            return say_interrupted(
+                fmt::format(": '{}' was not written, since a variance takes two replicates", path));
+        const Image image = mean();
+        if (const int spp = spp_of(path, job.scene); spp > image.provenance.spp)
+            return say_interrupted(fmt::format(": '{}' stays as it was, with {} spp where {} were "
+                                               "finished",
+                                               path, spp, image.provenance.spp));
+        write_reference(image, path, progress.seconds());
+        say_interrupted(fmt::format(": '{}' has {} of {} replicates", path, finished.replicates,
+                                    options.replicates));
+    });
 }
 
 } // namespace
@@ -69,7 +114,9 @@ Run add_reference(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--seed", options->seed, "seed of the first replicate");
     add_machine_options(app, options->machine);
-    app.footer("Examples:\n  raylab reference cornell\n  raylab reference --spp 65536 whitted");
+    app.footer("Ctrl-C keeps the replicates that are finished, if two are, unless they "
+               "would replace a\nreference of more samples.\n"
+               "Examples:\n  raylab reference cornell\n  raylab reference --spp 65536 whitted");
     return [options] {
         if (options->scenes.empty()) options->scenes = bundled_scenes();
         for (const std::string& scene : options->scenes) make_reference(*options, scene);

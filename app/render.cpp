@@ -1,8 +1,12 @@
 // raylab render LAB SCENE: an image and its ledger.
 #include "app/commands.h"
+#include "app/interrupted.h"
+#include "app/kept_render.h"
+#include "app/memory_check.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
 
@@ -10,10 +14,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace raylab::app {
 
 namespace {
+
+constexpr std::uint64_t announced_bytes = 1 << 30; // needs below go without saying
 
 struct RenderOptions {
     std::string lab, scene, output, stats;
@@ -42,6 +49,17 @@ void print_summary(const Ledger& ledger, const std::string& output) {
     fmt::print("wrote {}\n", output);
 }
 
+// The image, and what is said of it.
+void write_render(const RenderOptions& options, const KeptRender& render,
+                  const std::string& output) {
+    write_image(render.image, output);
+    if (!options.stats.empty()) write_file(options.stats, to_json(render.ledger) + "\n");
+    if (options.json)
+        fmt::print("{}\n", to_json(render.ledger));
+    else if (!options.quiet)
+        print_summary(render.ledger, output);
+}
+
 ExitCode run_render(const RenderOptions& options) {
     const Lab& lab = find_lab(options.lab);
     check_lab_options(lab, options.machine);
@@ -49,33 +67,46 @@ ExitCode run_render(const RenderOptions& options) {
     const std::string output = options.output.empty()
                                    ? fmt::format("out/{}_{}.exr", scene.name, lab.number)
                                    : options.output;
+    const MemoryNeed need = memory_need(lab, scene, options.machine);
+    const AvailableMemory available = available_memory();
+    check_memory(need, available);
+    if (!options.quiet && need.total() >= announced_bytes)
+        fmt::print(stderr, "{} {}: {}\n", lab.number, scene.name, to_sentence(need, available));
     // What would fail at the end fails now, before the work.
     prepare_image_output(output);
     if (!options.stats.empty()) prepare_output(options.stats);
+    for (const int done : options.snapshots) prepare_image_output(snapshot_path(output, done));
     for (const std::string& warning : scene.warnings)
         if (!options.quiet) fmt::print(stderr, "warning: {}\n", warning);
 
-    const std::unique_ptr<Renderer> renderer = lab.make(scene, options.machine);
     const int spp =
         std::max(scene.render.spp, options.snapshots.empty() ? 0 : options.snapshots.back());
-    {
-        const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
-        Progress progress(fmt::format("{} {}", lab.number, scene.name), spp, "samples", pixels);
-        for (int done = 1; done <= spp; ++done) {
-            renderer->add_iteration();
-            progress.update(done);
-            if (std::binary_search(options.snapshots.begin(), options.snapshots.end(), done))
-                write_image(develop(*renderer, scene), snapshot_path(output, done));
-        }
+    const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+    std::optional<Progress> progress;
+    if (!options.quiet)
+        progress.emplace(fmt::format("{} {}", lab.number, scene.name), spp, "samples", pixels);
+    const auto after_sample = [&](const Renderer& renderer, int done) {
+        if (progress) progress->update(done);
+        if (std::binary_search(options.snapshots.begin(), options.snapshots.end(), done))
+            write_image(develop(renderer, scene), snapshot_path(output, done));
+    };
+    const auto tick = [&] {
+        if (progress) progress->tick();
+    };
+    const KeepsWork keeping;
+    const KeptRender render = render_and_keep(lab, scene, options.machine, spp, after_sample, tick);
+    if (progress) progress->clear();
+    const int samples = render.ledger.samples;
+    if (!interrupted()) {
+        write_render(options, render, output);
+        return ExitCode::success;
     }
-    write_image(develop(*renderer, scene), output);
-    const Ledger ledger = renderer->ledger();
-    if (!options.stats.empty()) write_file(options.stats, to_json(ledger) + "\n");
-    if (options.json)
-        fmt::print("{}\n", to_json(ledger));
-    else if (!options.quiet)
-        print_summary(ledger, output);
-    return ExitCode::success;
+    end_interrupted([&] {
+        if (samples == 0)
+            return say_interrupted(" before the first sample was finished: nothing was written");
+        write_render(options, render, output);
+        say_interrupted(fmt::format(": '{}' has {} of {} samples a pixel", output, samples, spp));
+    });
 }
 
 } // namespace
@@ -97,12 +128,16 @@ Run add_render(CLI::App& app) {
     add_machine_options(app, options->machine);
     add_wavefront_options(app, options->machine.wavefront);
     add_accel_options(app, options->machine.accel);
-    app.footer("Examples:\n"
-               "  raylab render 02 cornell -o cornell.png\n"
-               "  raylab render 02 cornell --spp 250 --snapshots 1,20,250 -o cornell.png\n"
-               "  raylab render 03 cornell --compact off --pool 4096\n"
-               "  raylab render 04 stadium --accel kd --walk ropes\n"
-               "  raylab render 01 scenes/whitted.json --threads 1 --stats ledger.json");
+    app.footer(
+        "Ctrl-C (SIGINT, SIGTERM, SIGHUP) ends a render early: the image is written with the "
+        "samples that\nit has, with exit code 128 + signal. A second Ctrl-C ends at once and "
+        "keeps nothing.\n"
+        "Examples:\n"
+        "  raylab render 02 cornell -o cornell.png\n"
+        "  raylab render 02 cornell --spp 250 --snapshots 1,20,250 -o cornell.png\n"
+        "  raylab render 03 cornell --compact off --pool 4096\n"
+        "  raylab render 04 stadium --accel kd --walk ropes\n"
+        "  raylab render 01 scenes/whitted.json --threads 1 --stats ledger.json");
     return [options] {
         std::sort(options->snapshots.begin(), options->snapshots.end());
         return run_render(*options);

@@ -6,12 +6,11 @@
 
 namespace raylab::app {
 
-Image render_replicate(const ReplicateJob& job, int r, double* seconds) {
+Image render_replicate(const ReplicateJob& job, int r) {
     Scene scene = job.scene;
     scene.render.seed = job.first_seed + static_cast<std::uint32_t>(r);
     const std::unique_ptr<Renderer> renderer = job.lab->make(scene, job.machine);
     for (int i = 0; i < scene.render.spp; ++i) renderer->add_iteration();
-    if (seconds) *seconds += renderer->ledger().seconds;
     return develop(*renderer, scene);
 }
 

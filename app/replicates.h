@@ -13,8 +13,7 @@ struct ReplicateJob {
     std::uint32_t first_seed = 1; // replicate r draws with seed first_seed + r
 };
 
-// Renders replicate r. Adds the tracing seconds to *seconds if it is not null.
-Image render_replicate(const ReplicateJob& job, int r, double* seconds = nullptr);
+Image render_replicate(const ReplicateJob& job, int r);
 
 // Mean over replicates, and the standard error of that mean per pixel, from their spread:
 //     var = sum (x_r - mean)^2 / (R (R - 1)).

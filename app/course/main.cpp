@@ -1,12 +1,14 @@
 // raylab-check: the program behind `raylab check`, `raylab prove` and `raylab release`.
 #include "app/course/commands.h"
 #include "common/cli/files.h"
+#include "common/cli/interrupt.h"
 #include "common/cli/own_tree.h"
 
 #include <fmt/format.h>
 
 int main(int argc, char** argv) {
     using namespace raylab;
+    catch_signals();
     const app::Tree tree = {RAYLAB_ROOT, RAYLAB_BUILD};
     CLI::App cli("raylab: check a lab's tasks, and hand labs out", "raylab");
     cli.require_subcommand(1);
@@ -34,6 +36,13 @@ int main(int argc, char** argv) {
     } catch (const CourseError& error) {
         fmt::print(stderr, "raylab: {}\n", error.what());
         return static_cast<int>(ExitCode::bad_usage);
+    } catch (const FileError& error) {
+        fmt::print(stderr, "raylab: {}\n", error.what());
+        return static_cast<int>(error.code);
+    } catch (const std::filesystem::filesystem_error& error) {
+        const FileError translated = file_error(error);
+        fmt::print(stderr, "raylab: {}\n", translated.what());
+        return static_cast<int>(translated.code);
     } catch (const std::exception& error) {
         fmt::print(stderr, "raylab: {}\n", error.what());
         return static_cast<int>(ExitCode::tool_failed);

@@ -169,6 +169,7 @@ struct ProveOptions {
 };
 
 ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
+    if (!options.output.empty()) prepare_output(options.output);
     std::vector<std::string> labs = options.labs;
     if (labs.empty()) labs = lab_folders(tree.root);
     if (labs.empty())

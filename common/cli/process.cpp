@@ -2,6 +2,7 @@
 // output and run on, or leave a grandchild that keeps the pipe open.
 #include "common/cli/process.h"
 
+#include "common/cli/leftovers.h"
 #include "common/math/index.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,11 @@ int start(const std::vector<std::string>& command, const std::filesystem::path& 
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    sigset_t as_by_default; // what this program ignores is not for others to ignore
+    sigemptyset(&as_by_default);
+    sigaddset(&as_by_default, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&attributes, &as_by_default);
     const int error =
         posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -84,6 +89,17 @@ bool wait_for_end(pid_t child, double deadline, int& status) {
     }
 }
 
+// Waits for its output and its end, or kills it when the time is up; then false.
+bool is_over(pid_t child, int pipe_end, double deadline, const ProcessOptions& options,
+             std::string& output, int& status) {
+    if (read_output(pipe_end, deadline, options, output) && wait_for_end(child, deadline, status))
+        return true;
+    kill(-child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return false;
+}
+
 } // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
@@ -95,19 +111,16 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return not_started(errno);
     const double begin = now(), deadline = begin + options.limit_seconds;
-    pid_t child = 0;
-    const int error = start(command, options.folder, ends[1], child);
-    close(ends[1]);
-    result.started = error == 0;
-    int status = 0;
-    if (result.started) {
-        result.timed_out = !read_output(ends[0], deadline, options, result.output) ||
-                           !wait_for_end(child, deadline, status);
-        if (result.timed_out) {
-            kill(-child, SIGKILL);
-            while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-            }
-        }
+    int error = 0, status = 0;
+    {
+        RunningChild running;
+        pid_t child = 0;
+        error = start(command, options.folder, ends[1], child);
+        result.started = error == 0;
+        running.started(result.started ? child : 0);
+        close(ends[1]);
+        if (result.started)
+            result.timed_out = !is_over(child, ends[0], deadline, options, result.output, status);
     }
     close(ends[0]);
     if (!result.started) return not_started(error);

@@ -26,7 +26,8 @@ struct ProcessOptions {
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments and an empty standard
-// input. After the limit it is killed with its children. What goes wrong is in the result.
+// input. After the limit it is killed with its children, and so it is if a signal ends this
+// program. What goes wrong is in the result.
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options);
 
 // Why it did not succeed, in half a sentence: "exit status 3: ImportError: no module mitsuba".

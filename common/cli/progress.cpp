@@ -1,5 +1,6 @@
 #include "common/cli/progress.h"
 
+#include "common/cli/interrupt.h"
 #include "common/math/index.h"
 
 #include <fmt/format.h>
@@ -11,14 +12,17 @@
 
 namespace raylab {
 
-Progress::Progress(std::string label, int steps, std::string unit, double scale)
+Progress::Progress(std::string label, int steps, std::string unit, double scale,
+                   double seconds_between_lines)
     : label_(std::move(label)), unit_(std::move(unit)), steps_(steps), scale_(scale),
-      visible_(isatty(STDERR_FILENO) != 0) {}
+      seconds_between_lines_(seconds_between_lines), on_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() { clear(); }
 
 void Progress::clear() {
-    if (visible_ && drawn_ != Clock::time_point{}) fmt::print(stderr, "\r\033[K");
+    const std::lock_guard lock(mutex_);
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+    drawn_ = false;
 }
 
 double Progress::seconds() const {
@@ -26,19 +30,45 @@ double Progress::seconds() const {
 }
 
 void Progress::update(int done) {
-    // The first second is silent: what is quick needs no progress line.
-    if (!visible_ || seconds() < 1 || done <= 0) return;
-    const Clock::time_point now = Clock::now();
-    if (done < steps_ && now - drawn_ < std::chrono::milliseconds(100)) return;
-    drawn_ = now;
+    const std::lock_guard lock(mutex_);
+    done_ = done;
+    show();
+}
 
+void Progress::tick() {
+    const std::lock_guard lock(mutex_);
+    show();
+}
+
+// The rate and the time left, as far as they are known.
+std::string Progress::facts() const {
+    if (done_ == 0) return human_duration(seconds()) + " so far";
+    std::string rate = human_count(done_ * scale_ / seconds());
+    if (rate.back() != ' ') rate += ' ';
+    return fmt::format("{}{}/s, {} left", rate, unit_,
+                       human_duration(seconds() / done_ * (steps_ - done_)));
+}
+
+void Progress::show() {
+    if (interrupted()) return; // whoever keeps what there is has the word now
+    const Clock::time_point now = Clock::now();
+    const double since = std::chrono::duration<double>(now - shown_).count();
+    const double percent = steps_ > 0 ? 100.0 * done_ / steps_ : 100.0;
+    if (!on_terminal_) {
+        if (since < seconds_between_lines_ || done_ >= steps_) return;
+        shown_ = now;
+        fmt::print(stderr, "{}: {:.0f} %, {}\n", label_, std::floor(percent), facts());
+        std::fflush(stderr);
+        return;
+    }
+    // The first second is silent: what is quick needs no progress line.
+    if (seconds() < 1 || (since < 0.1 && done_ < steps_)) return;
+    shown_ = now;
+    drawn_ = true;
     constexpr int width = 24;
-    const int filled = static_cast<int>(static_cast<double>(width) * done / steps_);
-    const double rate = done * scale_ / seconds();
-    const double left = seconds() / done * (steps_ - done);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {} {}/s  {} left", label_, "",
-               filled, "", width - filled, 100.0 * done / steps_, human_count(rate), unit_,
-               human_duration(left));
+    const int filled = index_of(width * percent / 100, width + 1);
+    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}", label_, "", filled, "",
+               width - filled, percent, facts());
     std::fflush(stderr);
 }
 
@@ -46,6 +76,7 @@ std::string human_duration(double seconds) {
     if (seconds < 10) return fmt::format("{:.1f} s", seconds);
     if (seconds < 90) return fmt::format("{:.0f} s", seconds);
     const int whole = index_of(std::round(seconds), std::numeric_limits<int>::max());
+    if (whole >= 3600) return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
     return fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 

@@ -1,38 +1,44 @@
-// A progress line for anything that takes over a second: share done, rate, time left.
+// Progress of anything that takes over a second: share done, rate, time left.
 #pragma once
 
 #include <chrono>
+#include <mutex>
 #include <string>
 
 namespace raylab {
 
-// Draws on standard error when that is a terminal, and nothing at all when it is not, so logs and
-// pipes stay clean. The line is erased when the object dies.
+// On a terminal, a line on standard error that is drawn anew and goes away when the object dies.
+// Elsewhere, a line about every ten seconds: a log shows that it goes on, and pipes of what is
+// quick stay clean. Any thread may call.
 class Progress {
   public:
     // unit: what is counted, in the plural ("samples"); scale: how many of them one step is worth.
-    Progress(std::string label, int steps, std::string unit, double scale);
+    Progress(std::string label, int steps, std::string unit, double scale,
+             double seconds_between_lines = 10);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void update(int done); // draws at most ten times a second
+    void update(int done); // steps so far
+    void tick();           // shows how time goes by while a step takes long
     void clear();          // takes the line away, so that something else can be printed
 
     double seconds() const; // since construction
 
   private:
     using Clock = std::chrono::steady_clock;
+    void show();
+    std::string facts() const;
 
     std::string label_, unit_;
-    int steps_;
-    double scale_;
-    bool visible_;
-    Clock::time_point start_ = Clock::now();
-    Clock::time_point drawn_;
+    int steps_, done_ = 0;
+    double scale_, seconds_between_lines_;
+    bool on_terminal_, drawn_ = false;
+    Clock::time_point start_ = Clock::now(), shown_ = start_;
+    std::mutex mutex_;
 };
 
-// "0.8 s", "12 s", "3 min 20 s": for people.
+// "0.8 s", "12 s", "3 min 20 s", "2 h 5 min": for people.
 std::string human_duration(double seconds);
 
 // "3.42 M": a count with a metric prefix.

@@ -61,10 +61,15 @@ template <class T> class DeviceArray {
     // Waits for the kernels launched so far, then copies back.
     std::vector<T> to_host() const {
         std::vector<T> host(size_);
-        if (size_ > 0)
-            check(cudaMemcpy(host.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost),
-                  "cudaMemcpy");
+        to_host(0, host);
         return host;
+    }
+
+    // The same for the elements from `first` on, as many as `host` has.
+    void to_host(std::size_t first, std::span<T> host) const {
+        if (!host.empty())
+            check(cudaMemcpy(host.data(), data_ + first, host.size_bytes(), cudaMemcpyDeviceToHost),
+                  "cudaMemcpy");
     }
 
   private:

@@ -49,4 +49,7 @@ struct Film {
 // less than two samples it is infinite; a pixel without samples is black.
 Image develop(const Film& film);
 
+// The same for a strip of a film, into the pixels of `image` from first_pixel on.
+void develop(const Film& strip, Image& image, std::size_t first_pixel);
+
 } // namespace raylab

@@ -7,22 +7,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 namespace raylab {
 namespace {
 
 constexpr const char* endings = ".exr, .pfm, .hdr or .png";
 constexpr PictureLimits limits{max_image_side, std::int64_t(max_image_pixels)};
-
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
 
 [[noreturn]] void unknown_ending(const std::string& path) {
     throw ImageError(
@@ -69,20 +58,16 @@ void write_image(const Image& image, const std::string& path, float exposure) {
                                      path, image.width, image.height, image.mean.size(),
                                      image.error.size()));
     const std::string ending = ending_of(path);
-    try {
-        if (ending == ".exr")
-            write_file(path, formats::encode_exr(image));
-        else if (ending == ".pfm")
-            write_file(path, formats::encode_pfm(image));
-        else if (ending == ".hdr")
-            write_file(path, formats::encode_hdr(image));
-        else if (ending == ".png")
-            write_file(path, encode_png(image, exposure));
-        else
-            unknown_ending(path);
-    } catch (const FileError& e) {
-        throw ImageError(e.what());
-    }
+    if (ending == ".exr")
+        write_file(path, formats::encode_exr(image));
+    else if (ending == ".pfm")
+        write_file(path, formats::encode_pfm(image));
+    else if (ending == ".hdr")
+        write_file(path, formats::encode_hdr(image));
+    else if (ending == ".png")
+        write_file(path, encode_png(image, exposure));
+    else
+        unknown_ending(path);
 }
 
 } // namespace raylab

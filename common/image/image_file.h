@@ -29,7 +29,8 @@ constexpr std::size_t max_image_pixels = std::size_t(1) << 26;
 Image read_image(const std::string& path);
 
 // Writes by the ending of `path`, complete or not at all. `exposure` (in stops: the image is
-// multiplied by 2^exposure) is for .png only. Throws ImageError.
+// multiplied by 2^exposure) is for .png only. Throws ImageError if the
+// image or the name is wrong, FileError (common/cli/files.h) if the file cannot be written.
 void write_image(const Image& image, const std::string& path, float exposure = 0);
 
 // The bytes of a PNG file, e.g. to embed in a report. Non-finite pixels are magenta.

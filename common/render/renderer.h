@@ -27,6 +27,7 @@ struct MachineSettings {
     std::uint32_t order_seed = 1;
     WavefrontSettings wavefront = {}; // of labs with a pool of rays
     AccelSettings accel = {};         // of labs with a structure over the triangles
+    bool records = true; // keep a PathRecord for each pixel; tests read them, pictures need none
 };
 
 // A lab cannot meet these settings for this scene: what() says why, and what would do.
@@ -42,11 +43,20 @@ class Renderer {
     // - 1 of each pixel's sequence, so the image after 20 calls is the image of --spp 20.
     virtual void add_iteration() = 0;
 
-    virtual Film film() const = 0; // so far, in host memory
+    // The film so far, in host memory: `rows` of its rows from first_row on, or as many as there
+    // are.
+    virtual Film film(int first_row = 0, int rows = max_film_side) const = 0;
     virtual Ledger ledger() const = 0;
 
-    // What became of each pixel's path in the last iteration, row by row.
+    // What became of each pixel's path in the last iteration, row by row. For renderers that were
+    // made with MachineSettings::records.
     virtual std::vector<PathRecord> records() const = 0;
+};
+
+// Bytes that a renderer takes beside its scene.
+struct MemoryUse {
+    std::size_t pixel; // for each pixel of the film
+    std::size_t fixed; // pool and structure
 };
 
 struct Lab {
@@ -55,6 +65,7 @@ struct Lab {
     std::string title;
     // The scene must outlive the renderer.
     std::unique_ptr<Renderer> (*make)(const Scene& scene, const MachineSettings& machine);
+    MemoryUse (*memory)(const Scene& scene, const MachineSettings& machine);
     bool has_pool = false;      // takes pool and memory_budget of MachineSettings::wavefront,
     bool has_wavefront = false; // all the rest of it,
     bool has_accel = false;     // MachineSettings::accel
@@ -63,7 +74,12 @@ struct Lab {
 // A ledger that knows its scene and machine, and has counted nothing yet.
 Ledger begin_ledger(const Scene& scene, const std::string& lab, const std::string& machine);
 
-// The renderer's image so far, with its provenance.
+// The renderer's image so far, with its provenance, in place of what `image` was; `ledger` is the
+// renderer's. The film is copied strip by strip: the image is all the memory that this takes.
+void develop(const Renderer& renderer, const Scene& scene, const Ledger& ledger, Image& image);
 Image develop(const Renderer& renderer, const Scene& scene);
+
+// Samples that were not finite, of all pixels so far. width, height: of the film, in pixels.
+std::uint64_t rejected_samples(const Renderer& renderer, int width, int height);
 
 } // namespace raylab

@@ -2,6 +2,7 @@
 // corner has a normal or a texture coordinate that matters, its corner data.
 #include "common/scene/mesh.h"
 
+#include "common/cli/files.h"
 #include "common/scene/read_file.h"
 #include "common/scene/scene_builder.h"
 #include "common/scene/scene_error.h"
@@ -18,19 +19,13 @@
 namespace raylab {
 namespace {
 
-std::string extension_of(const std::string& name) {
-    std::string extension = std::filesystem::path(name).extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
 DVec3 unit_or(DVec3 n, DVec3 otherwise) {
     const double size = std::sqrt(dot(n, n));
     return size > 0 && std::isfinite(size) ? n / size : otherwise;
 }
 
 bool is_mesh_name(const std::string& name) {
-    const std::string extension = extension_of(name);
+    const std::string extension = ending_of(name);
     return extension == ".obj" || extension == ".gltf" || extension == ".glb";
 }
 
@@ -39,7 +34,7 @@ bool is_mesh_name(const std::string& name) {
 Mesh parse_mesh(std::string_view bytes, const std::string& name, const ReadNamedFile& read,
                 MeshLook look) {
     if (!is_mesh_name(name)) throw SceneError(name + ": expected a mesh file: .obj, .gltf or .glb");
-    if (extension_of(name) == ".obj")
+    if (ending_of(name) == ".obj")
         return parse_obj(bytes, name, look == MeshLook::own ? read : ReadNamedFile());
     return parse_gltf(bytes, name, read, look);
 }

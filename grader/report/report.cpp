@@ -46,11 +46,7 @@ nlohmann::json report_json(const Report& report) {
 
 void write_report(const Report& report, const std::string& folder) {
     const std::filesystem::path path(folder);
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error)
-        throw FileError("cannot make the folder '" + folder + "': " + error.message() +
-                        "; name another one");
+    prepare_output((path / "report.html").string());
     write_file((path / "report.html").string(), report_html(report));
     // Text of a student's program may be no UTF-8: it is replaced, not refused.
     write_file((path / "results.json").string(),

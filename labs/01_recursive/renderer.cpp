@@ -29,7 +29,8 @@ class RecursiveRenderer final : public Renderer {
   public:
     RecursiveRenderer(const Scene& scene, const MachineSettings& machine)
         : scene_(scene), view_(view(scene)), film_(scene.camera.width, scene.camera.height),
-          records_(film_.pixels.size()), ledger_(begin_ledger(scene, "01_recursive", "")),
+          records_(machine.records ? film_.pixels.size() : 0),
+          ledger_(begin_ledger(scene, "01_recursive", "")),
           threads_(machine.threads > 0 ? machine.threads
                                        : static_cast<int>(std::thread::hardware_concurrency())) {
         ledger_.machine = fmt::format("host, {} threads", threads_);
@@ -54,12 +55,17 @@ class RecursiveRenderer final : public Renderer {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    Film film() const override { return film_; }
+    Film film(int first_row, int rows) const override {
+        Film strip(film_.width, std::min(rows, film_.height - first_row));
+        std::copy_n(film_.pixels.begin() + std::ptrdiff_t{first_row} * film_.width,
+                    strip.pixels.size(), strip.pixels.begin());
+        return strip;
+    }
     std::vector<PathRecord> records() const override { return records_; }
 
     Ledger ledger() const override {
         Ledger ledger = ledger_;
-        for (const FilmPixel& pixel : film_.pixels) ledger.rejected += pixel.rejected;
+        ledger.rejected = rejected_samples(*this, film_.width, film_.height);
         return ledger;
     }
 
@@ -68,10 +74,10 @@ class RecursiveRenderer final : public Renderer {
         for (int y = y0; y < std::min(y0 + tile_size, film_.height); ++y)
             for (int x = x0; x < std::min(x0 + tile_size, film_.width); ++x) {
                 const int pixel = y * film_.width + x;
-                PathRecord& record = records_[pixel];
-                record = {};
+                PathRecord record;
                 add_sample(film_.pixels[pixel], trace_pixel(x, y, pixel, record));
                 count(record, counts);
+                if (!records_.empty()) records_[pixel] = record;
             }
     }
 
@@ -118,6 +124,10 @@ class RecursiveRenderer final : public Renderer {
 };
 
 } // namespace
+
+MemoryUse memory_use(const Scene&, const MachineSettings& machine) {
+    return {sizeof(FilmPixel) + (machine.records ? sizeof(PathRecord) : 0), 0};
+}
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
     return std::make_unique<RecursiveRenderer>(scene, machine);

@@ -8,6 +8,7 @@
 #include "labs/02_iterative/wasted_cycles.h"
 #include "labs/02_iterative/whitted.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace raylab::lab02 {
@@ -102,10 +103,11 @@ class IterativeRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    Film film() const override {
-        Film film(host_scene_.camera.width, host_scene_.camera.height);
-        film.pixels = film_.to_host();
-        return film;
+    Film film(int first_row, int rows) const override {
+        const Camera& camera = host_scene_.camera;
+        Film strip(camera.width, std::min(rows, camera.height - first_row));
+        film_.to_host(std::size_t{1} * first_row * camera.width, strip.pixels);
+        return strip;
     }
 
     std::vector<PathRecord> records() const override { return records_.to_host(); }
@@ -156,11 +158,15 @@ Ledger IterativeRenderer::ledger() const {
         counts.lanes = warps_busy * warp_lanes;
     }
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
-    for (const FilmPixel& pixel : film_.to_host()) ledger.rejected += pixel.rejected;
+    ledger.rejected = rejected_samples(*this, host_scene_.camera.width, host_scene_.camera.height);
     return ledger;
 }
 
 } // namespace
+
+MemoryUse memory_use(const Scene&, const MachineSettings&) {
+    return {sizeof(FilmPixel) + sizeof(PathRecord), 0}; // wasted cycles are counted from records
+}
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
     return std::make_unique<IterativeRenderer>(scene, machine);

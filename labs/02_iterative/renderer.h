@@ -5,6 +5,8 @@
 
 namespace raylab::lab02 {
 
+MemoryUse memory_use(const Scene& scene, const MachineSettings& machine);
+
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine);
 
 } // namespace raylab::lab02

@@ -135,6 +135,7 @@ __global__ void regenerate_kernel(const Wave* wave, const int* live, int n, int*
     if (i >= n || wave->pool.alive[live[i]]) return;
     const int slot = live[i];
     accumulate_path(*wave, slot, results);
+    keep_record(*wave, slot, results);
     count_end(results, wave->pool.record[slot]);
     const int pixel = atomicAdd(next, 1);
     if (pixel < pixels) generate_path(*wave, slot, shuffled(pixel, pixels, shuffle));
@@ -144,6 +145,7 @@ __global__ void accumulate_kernel(const Wave* wave, int n, Results results) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     accumulate_path(*wave, static_cast<int>(i), results);
+    keep_record(*wave, static_cast<int>(i), results);
     count_end(results, wave->pool.record[i]);
 }
 

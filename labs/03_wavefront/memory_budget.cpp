@@ -15,10 +15,10 @@ template <class T> std::size_t bytes(const Array<T>& array) { return array.size 
 
 std::size_t scene_bytes(const SceneView& scene) {
     return bytes(scene.spheres) + bytes(scene.quads) + bytes(scene.quad_groups) +
-           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) + bytes(scene.corner_colours) +
-           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
-           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
-           bytes(scene.environment.column_cdf);
+           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) +
+           bytes(scene.corner_colours) + bytes(scene.materials) + bytes(scene.lights) +
+           bytes(scene.textures) + bytes(scene.texels) + bytes(scene.environment.map) +
+           bytes(scene.environment.row_cdf) + bytes(scene.environment.column_cdf);
 }
 
 int branches_of(const RenderSettings& settings) {
@@ -40,10 +40,12 @@ std::size_t slot_bytes(const Scene& scene, const WavefrontSettings& settings, st
     return path_bytes + branch_bytes(branches_of(scene.render)) + 4 * (lists + words);
 }
 
-MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n) {
+MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n,
+                         bool records) {
     const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
+    const std::size_t record = records ? sizeof(PathRecord) : 0;
     const std::size_t cache = settings.first_bounce_cache ? sizeof(Hit) : 0;
-    return {scene_bytes(view(scene)), pixels * (sizeof(FilmPixel) + sizeof(PathRecord) + cache),
+    return {scene_bytes(view(scene)), pixels * (sizeof(FilmPixel) + record + cache),
             slot_bytes(scene, settings, n)};
 }
 

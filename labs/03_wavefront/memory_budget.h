@@ -30,8 +30,9 @@ std::array<bool, material_kinds> kinds_in(const Scene& scene);
 // what compaction needs.
 std::size_t slot_bytes(const Scene& scene, const WavefrontSettings& settings, std::int64_t n);
 
-// All that a pool of n takes.
-MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n);
+// All that a pool of n takes. records: whether each pixel's is kept.
+MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n,
+                         bool records = true);
 
 // Slots that fit into `budget` bytes, at most `wanted`. Throws SettingsError, with the figures,
 // if there is not room for a warp.

@@ -35,10 +35,10 @@ class WavefrontRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    Film film() const override {
-        Film film(scene_.camera.width, scene_.camera.height);
-        film.pixels = wavefront_.results().film();
-        return film;
+    Film film(int first_row, int rows) const override {
+        Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
+        wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
+        return strip;
     }
 
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
@@ -52,6 +52,7 @@ class WavefrontRenderer final : public Renderer {
         ledger.stages = wavefront_.stage_counts();
         for (const StageCounts& stage : ledger.stages) ledger.threads_launched += stage.threads;
         wavefront_.results().write_to(ledger);
+        ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
     }
 
@@ -96,6 +97,14 @@ class WavefrontRenderer final : public Renderer {
 
 } // namespace
 
+// The scene's copy in device memory counts, and the pool that there is room for.
+MemoryUse memory_use(const Scene& scene, const MachineSettings& machine) {
+    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
+    const std::int64_t paths = std::min<std::int64_t>(machine.wavefront.pool, pixels);
+    const MemoryNeeds needs = memory_needs(scene, machine.wavefront, paths, machine.records);
+    return {needs.film_bytes / pixels, needs.scene_bytes + paths * needs.slot_bytes};
+}
+
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
     const WavefrontSettings& settings = machine.wavefront;
     const std::size_t geometry = geometry_bytes(view(scene));
@@ -116,7 +125,8 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                                     : static_cast<std::int64_t>(device.totalGlobalMem);
     const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
     return std::make_unique<WavefrontRenderer>(
-        scene, machine, pool_that_fits(budget, memory_needs(scene, settings, wanted), wanted));
+        scene, machine,
+        pool_that_fits(budget, memory_needs(scene, settings, wanted, machine.records), wanted));
 }
 
 } // namespace raylab::lab03

@@ -19,7 +19,6 @@ void ResultArrays::write_to(Ledger& ledger) const {
         counts.rays = rays;
     }
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
-    for (const FilmPixel& pixel : film()) ledger.rejected += pixel.rejected;
 }
 
 } // namespace raylab::lab03

@@ -11,9 +11,11 @@ namespace raylab::lab03 {
 class ResultArrays {
   public:
     // bounces: that are told apart; later ones count as the last.
-    ResultArrays(int pixels, int bounces)
-        : film_(pixels), records_(pixels), tallies_(static_cast<std::size_t>(shards) * bounces),
-          shadow_rays_(shards), launched_(bounces) {}
+    // records: whether each pixel's is kept.
+    ResultArrays(int pixels, int bounces, bool records)
+        : film_(pixels), records_(records ? pixels : 0),
+          tallies_(static_cast<std::size_t>(shards) * bounces), shadow_rays_(shards),
+          launched_(bounces) {}
 
     // As kernels see them.
     Results view() {
@@ -23,10 +25,13 @@ class ResultArrays {
     // The host's part of a bounce's account: lanes, blocks and batches.
     BounceCounts& of_bounce(int bounce) { return launched_[std::min(bounce, bounces() - 1)]; }
 
-    std::vector<FilmPixel> film() const { return film_.to_host(); }
+    // The film from first_pixel on, as many pixels as `pixels` has.
+    void read_film(std::size_t first_pixel, std::vector<FilmPixel>& pixels) const {
+        film_.to_host(first_pixel, pixels);
+    }
     std::vector<PathRecord> records() const { return records_.to_host(); }
 
-    // Sets the ledger's bounces, its shadow rays and its rejected samples.
+    // Sets the ledger's bounces and its shadow rays.
     void write_to(Ledger& ledger) const;
 
   private:

@@ -36,7 +36,7 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int poo
       pool_(pool_paths, branches_of(scene.render)), wave_(1), live_(pool_paths), spare_(pool_paths),
       compaction_(settings_.scan, pool_paths, machine.block_size), feelers_(pool_paths),
       counters_(1), next_pixel_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0),
-      results_(pixels_, is_whitted(scene) ? rows_of_a_tree : most_bounces_) {
+      results_(pixels_, is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {
     if (settings_.sort != MaterialSort::queues) return;
     const auto present = kinds_in(scene);
     for (int kind = 0; kind < material_kinds; ++kind)

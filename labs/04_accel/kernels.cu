@@ -97,6 +97,7 @@ __global__ void accumulate_kernel(const Wave* wave, int n, Results results) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     accumulate_path(*wave, static_cast<int>(i), results);
+    keep_record(*wave, static_cast<int>(i), results);
     count_end(results, wave->pool.record[i]);
 }
 

@@ -16,10 +16,10 @@ template <class T> std::size_t bytes(const Array<T>& array) { return array.size 
 
 std::size_t scene_bytes(const SceneView& scene) {
     return bytes(scene.spheres) + bytes(scene.quads) + bytes(scene.quad_groups) +
-           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) + bytes(scene.corner_colours) +
-           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
-           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
-           bytes(scene.environment.column_cdf);
+           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) +
+           bytes(scene.corner_colours) + bytes(scene.materials) + bytes(scene.lights) +
+           bytes(scene.textures) + bytes(scene.texels) + bytes(scene.environment.map) +
+           bytes(scene.environment.row_cdf) + bytes(scene.environment.column_cdf);
 }
 
 } // namespace
@@ -35,10 +35,12 @@ std::size_t slot_bytes(const Scene& scene, std::int64_t n) {
            sizeof(WalkCounts);
 }
 
-MemoryNeeds memory_needs(const Scene& scene, std::size_t structure_bytes, std::int64_t n) {
+MemoryNeeds memory_needs(const Scene& scene, std::size_t structure_bytes, std::int64_t n,
+                         bool records) {
     const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
     return {scene_bytes(view(scene)), structure_bytes,
-            pixels * (sizeof(FilmPixel) + sizeof(PathRecord)), slot_bytes(scene, n)};
+            pixels * (sizeof(FilmPixel) + (records ? sizeof(PathRecord) : 0)),
+            slot_bytes(scene, n)};
 }
 
 int pool_that_fits(std::int64_t budget, const MemoryNeeds& needs, int wanted) {

@@ -8,6 +8,10 @@
 
 namespace raylab::lab04 {
 
+// What a structure and its building take for a triangle, beside the scene: 64 bytes (needles) to 90
+// (terrain) were measured with `wide`.
+constexpr std::size_t building_bytes_per_triangle = 128;
+
 struct MemoryNeeds {
     std::size_t scene_bytes;     // all arrays of the scene
     std::size_t structure_bytes; // nodes and blocks of triangles
@@ -22,8 +26,9 @@ int branches_of(const RenderSettings& settings);
 // its walk, and what compaction needs.
 std::size_t slot_bytes(const Scene& scene, std::int64_t n);
 
-// All that a pool of n takes.
-MemoryNeeds memory_needs(const Scene& scene, std::size_t structure_bytes, std::int64_t n);
+// All that a pool of n takes. records: whether each pixel's is kept.
+MemoryNeeds memory_needs(const Scene& scene, std::size_t structure_bytes, std::int64_t n,
+                         bool records = true);
 
 // Slots that fit into `budget` bytes, at most `wanted`. Throws SettingsError, with the figures,
 // if there is not room for a warp.

@@ -34,10 +34,10 @@ class AccelRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    Film film() const override {
-        Film film(scene_.camera.width, scene_.camera.height);
-        film.pixels = wavefront_.results().film();
-        return film;
+    Film film(int first_row, int rows) const override {
+        Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
+        wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
+        return strip;
     }
 
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
@@ -52,6 +52,7 @@ class AccelRenderer final : public Renderer {
         for (const StageCounts& stage : ledger.stages) ledger.threads_launched += stage.threads;
         if (wavefront_.accel().has_triangles()) ledger.structure = wavefront_.accel().facts();
         wavefront_.results().write_to(ledger);
+        ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
     }
 
@@ -80,6 +81,14 @@ class AccelRenderer final : public Renderer {
 
 } // namespace
 
+MemoryUse memory_use(const Scene& scene, const MachineSettings& machine) {
+    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
+    const std::int64_t paths = std::min<std::int64_t>(machine.wavefront.pool, pixels);
+    const std::size_t structure = building_bytes_per_triangle * scene.triangles.size();
+    const MemoryNeeds needs = memory_needs(scene, structure, paths, machine.records);
+    return {needs.film_bytes / pixels, needs.scene_bytes + structure + paths * needs.slot_bytes};
+}
+
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine,
                                         Accel accel) {
     const WavefrontSettings& settings = machine.wavefront;
@@ -89,8 +98,8 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                                     ? settings.memory_budget
                                     : static_cast<std::int64_t>(device.totalGlobalMem);
     const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
-    const int pool =
-        pool_that_fits(budget, memory_needs(scene, accel.facts().bytes, wanted), wanted);
+    const int pool = pool_that_fits(
+        budget, memory_needs(scene, accel.facts().bytes, wanted, machine.records), wanted);
     return std::make_unique<AccelRenderer>(scene, machine, std::move(accel), pool);
 }
 

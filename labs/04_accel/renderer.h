@@ -7,6 +7,9 @@ namespace raylab::lab04 {
 
 class Accel;
 
+// With the structure that `auto` would build, at a guess.
+MemoryUse memory_use(const Scene& scene, const MachineSettings& machine);
+
 // Throws SettingsError where settings cannot be met: there is no such walk, or scene, structure and
 // film leave no room for a pool. add_iteration() throws EndlessWalk if a walk does not end.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine);

@@ -19,7 +19,6 @@ void ResultArrays::write_to(Ledger& ledger) const {
         counts.rays = rays;
     }
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
-    for (const FilmPixel& pixel : film()) ledger.rejected += pixel.rejected;
     if (!ledger.structure) return;
     const std::vector<WalkTally> walks = walks_.to_host();
     const auto sums = [](std::uint64_t rays, const WalkTally& tally) {

@@ -11,9 +11,11 @@ namespace raylab::lab04 {
 class ResultArrays {
   public:
     // bounces: that are told apart; later ones count as the last.
-    ResultArrays(int pixels, int bounces)
-        : film_(pixels), records_(pixels), tallies_(static_cast<std::size_t>(shards) * bounces),
-          shadow_rays_(shards), walks_(bounces + 1), launched_(bounces) {}
+    // records: whether each pixel's is kept.
+    ResultArrays(int pixels, int bounces, bool records)
+        : film_(pixels), records_(records ? pixels : 0),
+          tallies_(static_cast<std::size_t>(shards) * bounces), shadow_rays_(shards),
+          walks_(bounces + 1), launched_(bounces) {}
 
     // As kernels see them.
     Results view() {
@@ -28,11 +30,14 @@ class ResultArrays {
     WalkTally* walks_of_bounce(int bounce) { return walks_.data() + row_of(bounce); }
     WalkTally* walks_of_feelers() { return walks_.data() + bounces(); }
 
-    std::vector<FilmPixel> film() const { return film_.to_host(); }
+    // The film from first_pixel on, as many pixels as `pixels` has.
+    void read_film(std::size_t first_pixel, std::vector<FilmPixel>& pixels) const {
+        film_.to_host(first_pixel, pixels);
+    }
     std::vector<PathRecord> records() const { return records_.to_host(); }
 
-    // Sets the ledger's bounces, its shadow rays, its rejected samples and, if it has a structure,
-    // what was visited of that.
+    // Sets the ledger's bounces, its shadow rays and, if it has a structure, what was visited of
+    // that.
     void write_to(Ledger& ledger) const;
 
   private:

@@ -32,7 +32,7 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel a
       live_(pool_paths), spare_(pool_paths), compaction_(pool_paths, machine.block_size),
       feelers_(pool_paths), feelers_sent_(1), walk_counts_(accel_.has_triangles() ? pool_paths : 0),
       endless_(1), results_(scene.camera.width * scene.camera.height,
-                            is_whitted(scene) ? rows_of_a_tree : most_bounces_) {}
+                            is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {}
 
 void Wavefront::begin_sample(std::uint32_t sample) {
     const Wave wave{scene_.view(),

@@ -101,6 +101,65 @@ TEST_F(Files, AReadOnlyFolderIsSaid) {
     EXPECT_EQ(entries(), 0u);
 }
 
+// The longest name that a file can have still leaves room for the temporary one.
+TEST_F(Files, LongNames) {
+    write_file(in(std::string(255, 'x').c_str()), "1");
+    EXPECT_EQ(entries(), 1u);
+    const std::string too_long = in(std::string(300, 'x').c_str());
+    EXPECT_THAT(error_of([&] { write_file(too_long, "x"); }), HasSubstr("name is too long"));
+    EXPECT_THAT(error_of([&] { prepare_output(too_long); }), HasSubstr("name is too long"));
+    EXPECT_THAT(error_of([&] { prepare_output(too_long + "/a"); }), HasSubstr("name is too long"));
+    EXPECT_THAT(error_of([&] { read_file(too_long); }), HasSubstr("name is too long"));
+}
+
+TEST_F(Files, AnOutputIsTriedBeforeTheWork) {
+    prepare_output(in("new/folder/a"));
+    EXPECT_TRUE(fs::is_directory(folder / "new/folder"));
+    EXPECT_TRUE(fs::is_empty(folder / "new/folder"));
+    write_file(in("file"), "1");
+    EXPECT_THAT(error_of([&] { prepare_output(in("file/a")); }), HasSubstr("is not a folder"));
+    EXPECT_THAT(error_of([&] { prepare_output(in("new")); }), HasSubstr("is a folder"));
+    EXPECT_THAT(error_of([] { prepare_output("/proc/a"); }),
+                HasSubstr("the folder '/proc' takes no new files"));
+    EXPECT_EQ(error_of([] { prepare_output("/dev/null"); }), "no error");
+    EXPECT_EQ(read_file(in("file")), "1");
+}
+
+TEST_F(Files, ThePersonsErrorsAndTheMachinesAreToldApart) {
+    const auto code_of = [](auto action) {
+        try {
+            action();
+        } catch (const FileError& error) {
+            return error.code;
+        }
+        return ExitCode::success;
+    };
+    EXPECT_EQ(code_of([&] { read_file(in("none")); }), ExitCode::bad_usage);
+    EXPECT_EQ(code_of([] { prepare_output("/proc/a"); }), ExitCode::bad_usage);
+    EXPECT_EQ(code_of([] { write_file("/dev/full", "x"); }), ExitCode::tool_failed);
+}
+
+// What std::filesystem throws where nobody asked it for an error code.
+TEST_F(Files, FilesystemErrorsAreTranslated) {
+    try {
+        fs::create_directories(in("a/b"));
+        write_file(in("a/b/c"), "1");
+        fs::remove(folder / "a");
+        FAIL() << "a folder that is not empty was removed";
+    } catch (const fs::filesystem_error& error) {
+        const std::string said = file_error(error).what();
+        EXPECT_THAT(said, HasSubstr(in("a")));
+        EXPECT_THAT(said, HasSubstr("not empty"));
+        EXPECT_THAT(said, testing::Not(HasSubstr("filesystem error")));
+    }
+}
+
+TEST(EndingOf, IsInLowerCase) {
+    EXPECT_EQ(ending_of("a.b/X.PnG"), ".png");
+    EXPECT_EQ(ending_of("a.b/x"), "");
+    EXPECT_EQ(ending_of(".exr"), "");
+}
+
 TEST_F(Files, MissingThingsAreSaid) {
     EXPECT_THAT(error_of([&] { write_file(in("no/such/file"), "x"); }), HasSubstr("no folder"));
     EXPECT_THAT(error_of([&] { write_file(folder.string(), "x"); }), HasSubstr("is a folder"));

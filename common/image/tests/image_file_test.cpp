@@ -240,9 +240,15 @@ TEST_F(ImageFile, WhatIsNoImageIsSaidPlainly) {
     EXPECT_THAT(error_of(in("text.exr")), HasSubstr("as an exr image"));
 }
 
+TEST_F(ImageFile, EndingsMayBeInCapitals) {
+    const Image image = any_bits(4, 4, false);
+    write_image(image, in("a.ExR"));
+    EXPECT_EQ(read_image(in("a.ExR")).width, 4);
+}
+
 TEST_F(ImageFile, AWriteThatFailsLeavesNoFile) {
     const Image image = any_bits(4, 4, false);
-    EXPECT_THROW(write_image(image, in("no/folder/a.exr")), ImageError);
+    EXPECT_THROW(write_image(image, in("no/folder/a.exr")), FileError);
     EXPECT_THROW(write_image(image, in("a.gif")), ImageError);
     Image broken = image;
     broken.mean.pop_back();
@@ -253,8 +259,9 @@ TEST_F(ImageFile, AWriteThatFailsLeavesNoFile) {
     try {
         write_image(image, in("full.exr"));
         FAIL() << "writing to a full disk succeeded";
-    } catch (const ImageError& e) {
+    } catch (const FileError& e) {
         EXPECT_THAT(e.what(), HasSubstr("disk is full"));
+        EXPECT_EQ(e.code, ExitCode::tool_failed);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "grader/bench/rays/ray_mesh.h"
 
+#include "common/cli/files.h"
 #include "common/scene/procedural/procedural.h"
 #include "common/scene/read_file.h"
 #include "common/scene/scene_builder.h"
@@ -118,7 +119,7 @@ RayMesh polygons_of(const Scene& scene) {
 RayMesh load_ray_mesh(const std::filesystem::path& file) {
     const std::string bytes = read(file);
     const Mesh source =
-        file.extension() == ".obj"
+        ending_of(file) == ".obj"
             ? parse_obj(bytes, file.string())
             : parse_gltf(
                   bytes, file.string(),

@@ -1,0 +1,31 @@
+#include "app/interrupted.h"
+
+#include "app/errors.h"
+#include "common/cli/interrupt.h"
+#include "common/cli/leftovers.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstring>
+#include <unistd.h>
+
+namespace raylab::app {
+
+void end_interrupted(const std::function<void()>& keep) {
+    int status = 128 + interrupted();
+    try {
+        keep();
+    } catch (...) {
+        status = static_cast<int>(report_exception());
+    }
+    std::fflush(nullptr);
+    end_without_leftovers(status); // what still runs holds on to objects: none may be destroyed
+    for (;;) pause();              // a child is being started: who does that ends the program
+}
+
+void say_interrupted(const std::string& rest) {
+    fmt::print(stderr, "raylab: interrupted by SIG{}{}\n", sigabbrev_np(interrupted()), rest);
+}
+
+} // namespace raylab::app
