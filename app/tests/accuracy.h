@@ -14,6 +14,7 @@
 #include "common/sampling/tests/statistics.h"
 #include "common/scene/load.h"
 #include "common/scene/quad_groups.h"
+#include "common/scene/sphere_groups.h"
 #include "labs/01_recursive/intersect.h"
 
 #include <fmt/format.h>

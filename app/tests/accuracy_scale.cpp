@@ -20,6 +20,7 @@ Scene scaled(Scene scene, int k) {
     scene.camera.lens_radius *= s;
     scene.camera.focus_distance *= s;
     for (Sphere& sphere : scene.spheres) sphere.center *= s, sphere.radius *= s;
+    scene.sphere_groups = group_spheres(scene.spheres);
     for (Plane& plane : scene.planes) plane.point *= s;
     for (Quad& quad : scene.quads) {
         for (Vec3& v : quad.v) v *= s;
@@ -71,6 +72,7 @@ TEST_P(EachLab, Pow2ScaleSeesOneLengthLeftOut) {
     const Scene box = small("cornell_spheres", 32);
     grown = scaled(box, 1);
     grown.spheres[0].radius = box.spheres[0].radius;
+    grown.sphere_groups = group_spheres(grown.spheres);
     EXPECT_GT(differing_pixels(trace(GetParam(), grown, 1).film, trace(GetParam(), box, 1).film),
               0.01);
 }

@@ -45,6 +45,7 @@ TEST_P(EachLab, DupCoplanarTheImageDoesNotDependOnTheOrderInMemory) {
     const auto shuffled = [&](int triangles_in_run) {
         Scene s = scene;
         std::shuffle(s.spheres.begin(), s.spheres.end(), random);
+        s.sphere_groups = group_spheres(s.spheres);
         std::shuffle(s.quads.begin(), s.quads.end(), random);
         s.quad_groups = group_quads(s.quads);
         std::shuffle(s.planes.begin(), s.planes.end(), random);

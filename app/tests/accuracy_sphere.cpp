@@ -129,6 +129,7 @@ TEST_P(EachLab, SphHugeLiesWhereItIsWritten) {
     const double ours = off();
     scene.spheres[0].center = Vec3(scene.spheres[0].center);
     scene.spheres[0].radius = static_cast<float>(scene.spheres[0].radius);
+    scene.sphere_groups = group_spheres(scene.spheres);
     figure("SPH-HUGE", GetParam(), "r = 7.3e6: t straight down", ours, 1e-7, off());
 }
 

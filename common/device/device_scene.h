@@ -9,13 +9,14 @@ namespace raylab {
 class DeviceScene {
   public:
     explicit DeviceScene(const Scene& scene)
-        : spheres_(scene.spheres), quads_(scene.quads), quad_groups_(scene.quad_groups),
-          planes_(scene.planes), triangles_(scene.triangles), runs_(scene.runs),
-          corners_(scene.corners), corner_colours_(scene.corner_colours),
+        : spheres_(scene.spheres), sphere_groups_(scene.sphere_groups), quads_(scene.quads),
+          quad_groups_(scene.quad_groups), planes_(scene.planes), triangles_(scene.triangles),
+          runs_(scene.runs), corners_(scene.corners), corner_colours_(scene.corner_colours),
           materials_(scene.materials), lights_(scene.lights), textures_(scene.textures),
           texels_(scene.texels), map_(scene.environment_map), row_cdf_(scene.environment_row_cdf),
           column_cdf_(scene.environment_column_cdf), view_(raylab::view(scene)) {
         point_to(view_.spheres, spheres_);
+        point_to(view_.sphere_groups, sphere_groups_);
         point_to(view_.quads, quads_);
         point_to(view_.quad_groups, quad_groups_);
         point_to(view_.planes, planes_);
@@ -40,6 +41,7 @@ class DeviceScene {
     }
 
     DeviceArray<Sphere> spheres_;
+    DeviceArray<SphereGroup> sphere_groups_;
     DeviceArray<Quad> quads_;
     DeviceArray<QuadGroup> quad_groups_;
     DeviceArray<Plane> planes_;

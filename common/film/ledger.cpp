@@ -29,7 +29,24 @@ double per_ray(std::uint64_t visits, const WalkSums& walks) {
 nlohmann::ordered_json walks_json(const WalkSums& walks) {
     return {{"rays", walks.rays},
             {"nodes_per_ray", per_ray(walks.nodes, walks)},
-            {"triangle_blocks_per_ray", per_ray(walks.triangle_blocks, walks)}};
+            {"triangle_blocks_per_ray", per_ray(walks.blocks, walks)}};
+}
+
+nlohmann::ordered_json shape_walks_json(const WalkSums& walks) {
+    return {{"rays", walks.rays},
+            {"nodes_per_ray", per_ray(walks.nodes, walks)},
+            {"groups_per_ray", per_ray(walks.blocks, walks)}};
+}
+
+nlohmann::ordered_json shapes_json(const ShapeTreeFacts& shapes) {
+    return {{"spheres", shapes.spheres},
+            {"quads", shapes.quads},
+            {"nodes", shapes.nodes},
+            {"depth", shapes.depth},
+            {"bytes", shapes.bytes},
+            {"build_seconds", shapes.build_seconds},
+            {"walks", shape_walks_json(shapes.rays)},
+            {"feelers", shape_walks_json(shapes.feelers)}};
 }
 
 nlohmann::ordered_json structure_json(const StructureFacts& structure) {
@@ -66,6 +83,7 @@ std::string to_json(const Ledger& ledger) {
     if (ledger.pool_paths > 0)
         json["pool"] = {{"paths", ledger.pool_paths}, {"bytes_per_path", ledger.path_bytes}};
     if (ledger.structure) json["structure"] = structure_json(*ledger.structure);
+    if (ledger.shapes) json["shape_tree"] = shapes_json(*ledger.shapes);
     if (!ledger.stages.empty()) json["stages"] = nlohmann::ordered_json::array();
     for (const StageCounts& stage : ledger.stages)
         json["stages"].push_back({{"name", stage.name},
@@ -113,25 +131,39 @@ std::string stage_table(const Ledger& ledger) {
                                "", "", 1e3 * rest, share(rest));
 }
 
+std::string walks_head(const char* blocks) {
+    return fmt::format("{:>12} {:>12} {:>12} {:>12}\n", "walks of", "rays", "nodes/ray", blocks);
+}
+
+std::string walks_row(const std::string& name, const WalkSums& walks) {
+    if (walks.rays == 0) return "";
+    return fmt::format("{:>12} {:>12} {:>12.2f} {:>12.2f}\n", name, walks.rays,
+                       per_ray(walks.nodes, walks), per_ray(walks.blocks, walks));
+}
+
 // What the structure is, and what a ray visits of it, by bounce.
 std::string structure_table(const Ledger& ledger) {
     const StructureFacts& facts = *ledger.structure;
     std::string table = fmt::format(
         "{} triangles: {}, {}\n{:>12} nodes, {} blocks of triangles, depth {}, {:.2f} MiB, "
-        "built in {:.2f} ms; walk: {}\n{:>12} {:>12} {:>12} {:>12}\n",
+        "built in {:.2f} ms; walk: {}\n",
         facts.triangles, facts.name, facts.why, facts.nodes, facts.triangle_blocks, facts.depth,
-        static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds, facts.walk,
-        "walks of", "rays", "nodes/ray", "blocks/ray");
-    const auto row = [&](const std::string& name, const WalkSums& walks) {
-        if (walks.rays > 0)
-            table +=
-                fmt::format("{:>12} {:>12} {:>12.2f} {:>12.2f}\n", name, walks.rays,
-                            per_ray(walks.nodes, walks), per_ray(walks.triangle_blocks, walks));
-    };
+        static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds, facts.walk);
+    table += walks_head("blocks/ray");
     for (std::size_t b = 0; b < ledger.bounces.size(); ++b)
-        row(fmt::format("bounce {}", b), ledger.bounces[b].walks);
-    row("feelers", facts.feelers);
-    return table;
+        table += walks_row(fmt::format("bounce {}", b), ledger.bounces[b].walks);
+    return table + walks_row("feelers", facts.feelers);
+}
+
+// The same of the tree over spheres and quads, for all bounces together.
+std::string shapes_table(const ShapeTreeFacts& facts) {
+    return fmt::format(
+               "{} spheres, {} quads: boxes over groups of sixteen\n{:>12} nodes, depth {}, "
+               "{:.2f} MiB, built in {:.2f} ms\n",
+               facts.spheres, facts.quads, facts.nodes, facts.depth,
+               static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds) +
+           walks_head("groups/ray") + walks_row("all bounces", facts.rays) +
+           walks_row("feelers", facts.feelers);
 }
 
 } // namespace
@@ -151,6 +183,7 @@ std::string to_table(const Ledger& ledger) {
                                    std::string(static_cast<std::size_t>(alive * 30), '#'));
     }
     if (ledger.structure) table += structure_table(ledger);
+    if (ledger.shapes) table += shapes_table(*ledger.shapes);
     if (!ledger.stages.empty()) table += stage_table(ledger);
     return table;
 }

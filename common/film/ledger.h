@@ -38,11 +38,11 @@ HD void record_hit(PathRecord& record, int id) {
 // And this once a shadow feeler.
 HD void record_feeler(PathRecord& record) { record.shadow_rays += record.shadow_rays < 65535; }
 
-// What rays visited of a structure over the triangles.
+// What rays visited of a structure.
 struct WalkSums {
-    std::uint64_t rays = 0;  // that walked
-    std::uint64_t nodes = 0; // what is read at once: a pair of boxes, eight boxes, a plane
-    std::uint64_t triangle_blocks = 0; // tested; each holds up to four triangles
+    std::uint64_t rays = 0;   // that walked
+    std::uint64_t nodes = 0;  // what is read at once: a pair of boxes, eight boxes, a plane
+    std::uint64_t blocks = 0; // tested: of up to eight triangles; or sixteen spheres, or quads
 };
 
 // The structure over the triangles, of labs that have one and scenes with triangles.
@@ -54,6 +54,15 @@ struct StructureFacts {
     std::uint64_t bytes = 0;  // of nodes and blocks
     double build_seconds = 0; // on the host's clock, without the copy to the device
     WalkSums feelers;         // their walks; those of other rays are counted by bounce
+};
+
+// The tree over spheres and quads, of labs that have one and scenes with many of them.
+struct ShapeTreeFacts {
+    int spheres = 0, quads = 0; // of the scene
+    int nodes = 0, depth = 0;
+    std::uint64_t bytes = 0; // of nodes
+    double build_seconds = 0;
+    WalkSums rays, feelers;
 };
 
 struct BounceCounts {
@@ -84,6 +93,7 @@ struct Ledger {
     std::vector<StageCounts> stages;    // of labs that trace in several launches a sample
     int pool_paths = 0, path_bytes = 0; // paths in flight at most, device memory for each
     std::optional<StructureFacts> structure;
+    std::optional<ShapeTreeFacts> shapes;
 
     std::uint64_t rays() const; // camera and scattered rays + shadow rays
 };

@@ -5,13 +5,45 @@
 #include "common/geometry/quad.h"
 #include "common/geometry/quad_group.h"
 #include "common/geometry/sphere.h"
+#include "common/geometry/sphere_group.h"
 #include "common/geometry/triangle.h"
 #include "common/scene/features.h"
 #include "common/scene/view.h"
 
-#include <cassert>
-
 namespace raylab {
+
+// Calls visit(shape, index, id, t) for every sphere of the group that the ray meets, as
+// for_each_hit() does. False: visit returned false.
+template <class Visit, class Reach>
+HD_HOT bool for_each_hit_in(const SphereGroup& group, const Array<Sphere>& spheres, const Ray& ray,
+                            const Visit& visit, const Reach& reach) {
+    float t;
+    const std::uint32_t maybe =
+        group.count > few_spheres ? glance(group, ray, reach()) : (1u << group.count) - 1;
+    for (std::uint32_t left = maybe; left != 0; left &= left - 1) {
+        const int i = group.first + lowest_bit(left);
+        const Sphere& sphere = spheres[i];
+        if (intersect(sphere, ray, t) && !visit(Shape::sphere, i, sphere.tags.id, t)) return false;
+    }
+    return true;
+}
+
+// The same for a group of quads.
+template <class Visit, class Reach>
+HD_HOT bool for_each_hit_in(const QuadGroup& group, const Array<Quad>& quads, const Ray& ray,
+                            const Visit& visit, const Reach& reach) {
+    float t;
+    const QuadGlance seen = glance(group, ray, reach());
+    for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
+        const int lane = lowest_bit(left), i = group.first + lane;
+        if (seen.begin[lane] > reach()) continue; // NaN: tested
+        const Quad& quad = quads[i];
+        const bool met = seen.sure >> lane & 1 ? intersect_inside(quad, ray, t)
+                                               : intersect(quad, ShearedRay(ray), t);
+        if (met && !visit(Shape::quad, i, quad.tags.id, t)) return false;
+    }
+    return true;
+}
 
 // Calls visit(shape, index, id, t) for every shape the ray meets in (0, ray.t_max), until visit
 // returns false. Runs of triangles whose box begins beyond reach() are skipped.
@@ -20,10 +52,8 @@ HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
                      const Reach& reach) {
     float t;
     if constexpr (F & feature::sphere) {
-        for (int i = 0; i < scene.spheres.size; ++i) {
-            const Sphere& sphere = scene.spheres[i];
-            if (intersect(sphere, ray, t) && !visit(Shape::sphere, i, sphere.tags.id, t)) return;
-        }
+        for (int g = 0; g < scene.sphere_groups.size; ++g)
+            if (!for_each_hit_in(scene.sphere_groups[g], scene.spheres, ray, visit, reach)) return;
     }
     if constexpr (F & feature::plane) {
         for (int i = 0; i < scene.planes.size; ++i) {
@@ -32,19 +62,8 @@ HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
         }
     }
     if constexpr (F & feature::quad) {
-        assert(scene.quads.size <= scene.quad_groups.size * quads_per_group);
-        for (int g = 0; g < scene.quad_groups.size; ++g) {
-            const QuadGroup& group = scene.quad_groups[g];
-            const QuadGlance seen = glance(group, ray, reach());
-            for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
-                const int lane = lowest_bit(left), i = group.first + lane;
-                if (seen.begin[lane] > reach()) continue; // NaN: tested
-                const Quad& quad = scene.quads[i];
-                const bool met = seen.sure >> lane & 1 ? intersect_inside(quad, ray, t)
-                                                       : intersect(quad, ShearedRay(ray), t);
-                if (met && !visit(Shape::quad, i, quad.tags.id, t)) return;
-            }
-        }
+        for (int g = 0; g < scene.quad_groups.size; ++g)
+            if (!for_each_hit_in(scene.quad_groups[g], scene.quads, ray, visit, reach)) return;
     }
     if constexpr (F & feature::triangle) {
         const ShearedRay sheared(ray);

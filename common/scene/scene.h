@@ -30,6 +30,7 @@ struct Scene {
     RenderSettings render;
     Camera camera{};
     std::vector<Sphere> spheres;
+    std::vector<SphereGroup> sphere_groups; // = group_spheres(spheres)
     std::vector<Quad> quads;
     std::vector<QuadGroup> quad_groups; // = group_quads(quads)
     std::vector<Plane> planes;

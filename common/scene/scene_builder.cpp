@@ -6,6 +6,8 @@
 #include "common/scene/load.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/read_file.h"
+#include "common/scene/shape_boxes.h"
+#include "common/scene/sphere_groups.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +44,9 @@ Scene SceneBuilder::build() {
     read_render(root, film);
     if (const auto materials = root.find("materials")) read_materials(*materials);
     if (const auto shapes = root.find("shapes")) read_shapes(*shapes);
+    sort_into_groups(scene_.spheres);
+    sort_into_groups(scene_.quads);
+    scene_.sphere_groups = group_spheres(scene_.spheres);
     scene_.quad_groups = group_quads(scene_.quads);
     make_area_lights();
     scene_.lights.insert(scene_.lights.end(), mesh_lights_.begin(), mesh_lights_.end());

@@ -1,6 +1,8 @@
 // The host scene's arrays as a kernel on the host sees them.
 #include "common/scene/scene.h"
 
+#include <cassert>
+
 namespace raylab {
 namespace {
 
@@ -11,9 +13,12 @@ template <class T> Array<T> array_of(const std::vector<T>& items) {
 } // namespace
 
 SceneView view(const Scene& scene) {
+    assert(scene.spheres.size() <= scene.sphere_groups.size() * spheres_per_group);
+    assert(scene.quads.size() <= scene.quad_groups.size() * quads_per_group);
     SceneView v;
     v.camera = scene.camera;
     v.spheres = array_of(scene.spheres);
+    v.sphere_groups = array_of(scene.sphere_groups);
     v.quads = array_of(scene.quads);
     v.quad_groups = array_of(scene.quad_groups);
     v.planes = array_of(scene.planes);

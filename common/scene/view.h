@@ -5,6 +5,7 @@
 #include "common/camera/camera.h"
 #include "common/geometry/quad_group.h"
 #include "common/geometry/shapes.h"
+#include "common/geometry/sphere_group.h"
 #include "common/light/light.h"
 #include "common/material/material.h"
 
@@ -46,6 +47,7 @@ struct Environment {
 struct SceneView {
     Camera camera;
     Array<Sphere> spheres;
+    Array<SphereGroup> sphere_groups; // the same spheres, side by side
     Array<Quad> quads;
     Array<QuadGroup> quad_groups; // the same quads, side by side
     Array<Plane> planes;

@@ -25,9 +25,9 @@ template <class T> std::size_t shared_bytes(const Array<T>& array) {
 
 // What the shapes take in shared memory.
 inline std::size_t geometry_bytes(const SceneView& scene) {
-    return shared_bytes(scene.spheres) + shared_bytes(scene.quads) +
-           shared_bytes(scene.quad_groups) + shared_bytes(scene.planes) +
-           shared_bytes(scene.triangles) + shared_bytes(scene.runs);
+    return shared_bytes(scene.spheres) + shared_bytes(scene.sphere_groups) +
+           shared_bytes(scene.quads) + shared_bytes(scene.quad_groups) +
+           shared_bytes(scene.planes) + shared_bytes(scene.triangles) + shared_bytes(scene.runs);
 }
 
 // Copies the array to `free` by all threads of the block, points it there, and moves `free` on.
@@ -49,6 +49,7 @@ __device__ SceneView geometry_in_shared_memory(SceneView scene, void* memory) {
     //[ task 3.5
     auto* free = static_cast<unsigned char*>(memory);
     if constexpr (F & feature::sphere) move_to_shared(scene.spheres, free);
+    if constexpr (F & feature::sphere) move_to_shared(scene.sphere_groups, free);
     if constexpr (F & feature::quad) move_to_shared(scene.quads, free);
     if constexpr (F & feature::quad) move_to_shared(scene.quad_groups, free);
     if constexpr (F & feature::plane) move_to_shared(scene.planes, free);

@@ -61,6 +61,7 @@ Accel::Accel(const Scene& scene, const MachineSettings& machine)
         choice_.walk.walk == WalkKind::automatic ? "all triangles" : name_of(choice_.walk.walk);
     facts_.why = choice_.why;
     if (has_triangles()) build(scene.triangles, machine.threads);
+    if (machine.accel.accel != AccelKind::none) build_shapes(scene);
 }
 
 void Accel::build(const std::vector<Triangle>& triangles, int threads) {
@@ -131,6 +132,24 @@ void Accel::keep_blocks(const std::vector<TriangleBlock>& blocks) {
     blocks_ = DeviceArray<TriangleBlock>(blocks);
     facts_.triangle_blocks = static_cast<int>(blocks.size());
     facts_.bytes += blocks.size() * sizeof(TriangleBlock);
+}
+
+void Accel::build_shapes(const Scene& scene) {
+    const Stopwatch watch;
+    const BvhTree tree = build_shape_tree(scene);
+    shape_facts_ = {static_cast<int>(scene.spheres.size()),
+                    static_cast<int>(scene.quads.size()),
+                    static_cast<int>(tree.nodes.size()),
+                    tree.depth,
+                    tree.node_bytes(),
+                    watch.seconds(),
+                    {},
+                    {}};
+    shape_boxes_ = DeviceArray<BvhNode>(tree.nodes);
+}
+
+ShapeTreeView Accel::shapes(const SceneView& scene) const {
+    return {{array_of(shape_boxes_)}, scene.sphere_groups, scene.quad_groups};
 }
 
 StructureView Accel::view(Array<Triangle> triangles) const {

@@ -17,9 +17,9 @@ struct EndTally {
     unsigned long long ended[path_ends];
 };
 
-// What the walks of a bounce visited.
+// What walks visited; a block holds eight triangles, or is a group of spheres or quads.
 struct WalkTally {
-    unsigned long long nodes, triangle_blocks;
+    unsigned long long nodes, blocks;
 };
 
 // What a batch leaves behind.

@@ -17,6 +17,14 @@ struct BvhTree {
     std::size_t block_bytes() const { return blocks.size() * sizeof(TriangleBlock); }
 };
 
+inline void set_child(BvhNode& node, int k, int child, const Bounds& box) {
+    node.child[k] = child;
+    for (int axis = 0; axis < 3; ++axis) {
+        node.box[axis][0][k] = box.low[axis];
+        node.box[axis][1][k] = box.high[axis];
+    }
+}
+
 inline Bounds child_box(const BvhNode& node, int child) {
     Bounds box;
     for (int axis = 0; axis < 3; ++axis) {

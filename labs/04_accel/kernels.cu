@@ -90,7 +90,7 @@ __global__ void add_counts_kernel(const WalkCounts* counts, int n, WalkTally* ta
     }
     if (first >= n) return;
     atomicAdd(&tally->nodes, nodes);
-    atomicAdd(&tally->triangle_blocks, blocks);
+    atomicAdd(&tally->blocks, blocks);
 }
 
 __global__ void accumulate_kernel(const Wave* wave, int n, Results results) {

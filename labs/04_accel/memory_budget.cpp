@@ -15,11 +15,12 @@ namespace {
 template <class T> std::size_t bytes(const Array<T>& array) { return array.size * sizeof(T); }
 
 std::size_t scene_bytes(const SceneView& scene) {
-    return bytes(scene.spheres) + bytes(scene.quads) + bytes(scene.quad_groups) +
-           bytes(scene.planes) + bytes(scene.triangles) + bytes(scene.runs) + bytes(scene.corners) +
-           bytes(scene.corner_colours) + bytes(scene.materials) + bytes(scene.lights) +
-           bytes(scene.textures) + bytes(scene.texels) + bytes(scene.environment.map) +
-           bytes(scene.environment.row_cdf) + bytes(scene.environment.column_cdf);
+    return bytes(scene.spheres) + bytes(scene.sphere_groups) + bytes(scene.quads) +
+           bytes(scene.quad_groups) + bytes(scene.planes) + bytes(scene.triangles) +
+           bytes(scene.runs) + bytes(scene.corners) + bytes(scene.corner_colours) +
+           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
+           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
+           bytes(scene.environment.column_cdf);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // What a walk is for: the closest hit, or any. A walk brings a query the leaves that the ray comes
-// to; the query tests their triangles, and says how far the walk still has to look.
+// to; the query tests what is in them, here triangles, and says how far the walk still has to look.
 //
 // Walks are templates over the query, so there is one of each kind, not two.
 #pragma once
@@ -19,8 +19,8 @@ struct Leaves {
     Array<Triangle> triangles;
 };
 
-// Of one ray: the ledger's nodes and triangles a ray. A node is what is read at once: a pair of
-// boxes, eight boxes, a split plane.
+// Of one ray: the ledger's nodes and blocks a ray. A node is what is read at once: a pair of boxes,
+// eight boxes, a split plane.
 struct WalkCounts {
     std::uint32_t nodes = 0;
     std::uint32_t blocks = 0;
@@ -29,31 +29,45 @@ struct WalkCounts {
 // No walk visits this many nodes. A student's endless one ends here, with a message.
 constexpr std::uint32_t most_steps = 1u << 22;
 
+// What every query has, whatever is in the leaves.
 class Query {
   public:
-    HD_HOT Query(const Leaves& leaves, const Ray& ray)
-        : slab(ray), leaves_(leaves), ray_(ray), glance_(ray, slab.inv_d) {}
+    HD_HOT explicit Query(const Ray& ray) : slab(ray), ray_(ray) {}
 
     const SlabRay slab; // the ray, for box tests
 
     HD const Ray& ray() const { return ray_; }
     HD const WalkCounts& counts() const { return counts_; }
     HD bool endless() const { return counts_.nodes >= most_steps; }
-    HD int blocks() const { return leaves_.blocks.size; } // all there are
-
-    // A block that may be visited soon.
-    HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
 
     // Counts a node. False: this walk has no end, and must return.
     HD bool step() { return ++counts_.nodes < most_steps; }
 
   protected:
+    HD void count_block() { ++counts_.blocks; }
+
+  private:
+    Ray ray_;
+    WalkCounts counts_;
+};
+
+class TriangleQuery : public Query {
+  public:
+    HD_HOT TriangleQuery(const Leaves& leaves, const Ray& ray)
+        : Query(ray), leaves_(leaves), glance_(ray, slab.inv_d) {}
+
+    HD int blocks() const { return leaves_.blocks.size; } // all there are
+
+    // A block that may be visited soon.
+    HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
+
+  protected:
     HD_HOT TriangleGlance look_at(int block, float reach) {
-        ++counts_.blocks;
+        count_block();
         return glance(leaves_.blocks[block], glance_, reach);
     }
     HD bool meets(int block, int lane, float& t) const {
-        return intersect(corners_in(leaves_.blocks[block], lane), ShearedRay(ray_), t);
+        return intersect(corners_in(leaves_.blocks[block], lane), ShearedRay(ray()), t);
     }
     // Of a triangle that the ray passes inside of: only t is left to find.
     HD bool meets_inside(int block, int lane, float& t) const {
@@ -69,9 +83,7 @@ class Query {
 
   private:
     const Leaves& leaves_;
-    Ray ray_;
     GlanceRay glance_;
-    WalkCounts counts_;
 };
 
 // The closest hit in (0, ray.t_max); of two at the same t that with the lowest id, so that no
@@ -79,10 +91,10 @@ class Query {
 //
 // Most rays pass inside of the triangle that they hit, and nothing else comes near that t. The
 // glance's interval decides then, and t is computed once, when the walk is over.
-class ClosestHit : public Query {
+class ClosestHit : public TriangleQuery {
   public:
     HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray)
-        : Query(leaves, ray), reach_(ray.t_max) {}
+        : TriangleQuery(leaves, ray), reach_(ray.t_max) {}
 
     // A box that was crossed once may lie out of reach later.
     static constexpr bool reach_shrinks = true;
@@ -142,9 +154,9 @@ class ClosestHit : public Query {
 };
 
 // Whether anything is in (0, ray.t_max): the first hit found ends the walk.
-class AnyHit : public Query {
+class AnyHit : public TriangleQuery {
   public:
-    using Query::Query;
+    using TriangleQuery::TriangleQuery;
 
     static constexpr bool reach_shrinks = false;
 

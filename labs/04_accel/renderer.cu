@@ -1,7 +1,8 @@
 // Lab 04: the wavefront of lab 03, whose rays no longer test every triangle.
 //
 // trace_batch() is lab 03's loop with one stage more: rays walk through a structure over the
-// triangles before they meet the other shapes, and so do shadow feelers.
+// triangles, and through another over spheres and quads where there are many, before they meet the
+// other shapes, and so do shadow feelers.
 #include "labs/04_accel/renderer.h"
 
 #include "labs/04_accel/endless_walk.h"
@@ -51,6 +52,7 @@ class AccelRenderer final : public Renderer {
         ledger.stages = wavefront_.stage_counts();
         for (const StageCounts& stage : ledger.stages) ledger.threads_launched += stage.threads;
         if (wavefront_.accel().has_triangles()) ledger.structure = wavefront_.accel().facts();
+        if (wavefront_.accel().has_shape_tree()) ledger.shapes = wavefront_.accel().shape_facts();
         wavefront_.results().write_to(ledger);
         ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
@@ -99,7 +101,7 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                                     : static_cast<std::int64_t>(device.totalGlobalMem);
     const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
     const int pool = pool_that_fits(
-        budget, memory_needs(scene, accel.facts().bytes, wanted, machine.records), wanted);
+        budget, memory_needs(scene, accel.bytes(), wanted, machine.records), wanted);
     return std::make_unique<AccelRenderer>(scene, machine, std::move(accel), pool);
 }
 

@@ -19,14 +19,19 @@ void ResultArrays::write_to(Ledger& ledger) const {
         counts.rays = rays;
     }
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
-    if (!ledger.structure) return;
+    if (!ledger.structure && !ledger.shapes) return;
     const std::vector<WalkTally> walks = walks_.to_host();
     const auto sums = [](std::uint64_t rays, const WalkTally& tally) {
-        return WalkSums{rays, tally.nodes, tally.triangle_blocks};
+        return WalkSums{rays, tally.nodes, tally.blocks};
     };
+    if (ledger.shapes) {
+        ledger.shapes->rays = sums(0, walks[bounces() + 1]);
+        for (const BounceCounts& bounce : launched_) ledger.shapes->rays.rays += bounce.walks.rays;
+        ledger.shapes->feelers = sums(feelers_walked_, walks[bounces() + 2]);
+    }
     for (int bounce = 0; bounce < bounces(); ++bounce)
         ledger.bounces[bounce].walks = sums(launched_[bounce].walks.rays, walks[bounce]);
-    ledger.structure->feelers = sums(feelers_walked_, walks[bounces()]);
+    if (ledger.structure) ledger.structure->feelers = sums(feelers_walked_, walks[bounces()]);
 }
 
 } // namespace raylab::lab04

@@ -15,7 +15,7 @@ class ResultArrays {
     ResultArrays(int pixels, int bounces, bool records)
         : film_(pixels), records_(records ? pixels : 0),
           tallies_(static_cast<std::size_t>(shards) * bounces), shadow_rays_(shards),
-          walks_(bounces + 1), launched_(bounces) {}
+          walks_(bounces + 3), launched_(bounces) {}
 
     // As kernels see them.
     Results view() {
@@ -29,6 +29,9 @@ class ResultArrays {
     // Where kernels add up what the walks of a bounce visited, and the walks of all feelers.
     WalkTally* walks_of_bounce(int bounce) { return walks_.data() + row_of(bounce); }
     WalkTally* walks_of_feelers() { return walks_.data() + bounces(); }
+    // The same through the tree over spheres and quads, all bounces together.
+    WalkTally* walks_past_shapes() { return walks_.data() + bounces() + 1; }
+    WalkTally* feelers_past_shapes() { return walks_.data() + bounces() + 2; }
 
     // The film from first_pixel on, as many pixels as `pixels` has.
     void read_film(std::size_t first_pixel, std::vector<FilmPixel>& pixels) const {
@@ -36,8 +39,8 @@ class ResultArrays {
     }
     std::vector<PathRecord> records() const { return records_.to_host(); }
 
-    // Sets the ledger's bounces, its shadow rays and, if it has a structure, what was visited of
-    // that.
+    // Sets the ledger's bounces, its shadow rays and, if it has structures, what was visited of
+    // those.
     void write_to(Ledger& ledger) const;
 
   private:
@@ -48,7 +51,7 @@ class ResultArrays {
     DeviceArray<PathRecord> records_;
     DeviceArray<EndTally> tallies_;
     DeviceArray<unsigned long long> shadow_rays_;
-    DeviceArray<WalkTally> walks_; // a row a bounce, and one for feelers
+    DeviceArray<WalkTally> walks_; // a row a bounce, and one each for the three that follow these
     std::vector<BounceCounts> launched_;
     std::uint64_t feelers_walked_ = 0;
 };

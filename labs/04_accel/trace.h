@@ -1,7 +1,8 @@
-// The shapes that are no triangles, and what follows from a hit.
+// The shapes in no tree, and what follows from a hit.
 //
-// A walk has left the closest triangle in the pool, and whether one blocks the feeler; here the
-// other shapes are tested against that. All of them: there are few, and they may be infinite.
+// Walks have left the closest hit so far in the pool, and whether something blocks the feeler; here
+// the other shapes are tested against that. All of them: planes are infinite, and of spheres and
+// quads there are few, or they have a tree too.
 #pragma once
 
 #include "common/geometry/intersect.h"
@@ -30,7 +31,7 @@ template <Features F> HD Hit closer_hit(const SceneView& scene, const Ray& ray, 
 template <Features F, Integrator I> HD void intersect_path(const Wave& wave, int slot) {
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);
-    const bool walked = wave.scene.triangles.size > 0;
+    const bool walked = wave.scene.triangles.size > 0 || wave.shapes.boxes.nodes.size > 0;
     const Hit hit = closer_hit<F>(wave.scene, ray, walked ? pool.hit[slot] : Hit{});
     record_hit(pool.record[slot], hit.id);
     pool.hit[slot] = hit;

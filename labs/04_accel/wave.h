@@ -4,16 +4,18 @@
 #include "common/sampling/sampler.h"
 #include "common/scene/view.h"
 #include "labs/04_accel/pool.h"
+#include "labs/04_accel/shape_tree.h"
 #include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
 
 struct Wave {
-    SceneView scene;
+    SceneView scene; // without the groups that `shapes` holds: those are walked, not tested all
     RenderSettings settings;
     std::uint32_t sample; // index of the sample that this iteration adds to every pixel
     PoolView pool;
     StructureView structure; // over the scene's triangles
+    ShapeTreeView shapes;    // over its spheres and quads
     WalkReport walked;
     int* feelers; // slots whose shadow feeler is on its way
     int* feelers_sent;

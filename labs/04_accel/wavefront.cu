@@ -2,6 +2,7 @@
 #include "labs/04_accel/wavefront.h"
 
 #include "labs/04_accel/memory_budget.h"
+#include "labs/04_accel/shape_kernels.h"
 
 namespace raylab::lab04 {
 
@@ -30,16 +31,21 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel a
       kernels_(choose_kernels(features_of(scene), scene.render.integrator)),
       most_bounces_(bounces_of(scene)), pool_(pool_paths, branches_of(scene.render)), wave_(1),
       live_(pool_paths), spare_(pool_paths), compaction_(pool_paths, machine.block_size),
-      feelers_(pool_paths), feelers_sent_(1), walk_counts_(accel_.has_triangles() ? pool_paths : 0),
-      endless_(1), results_(scene.camera.width * scene.camera.height,
-                            is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {}
+      feelers_(pool_paths), feelers_sent_(1),
+      walk_counts_(accel_.has_triangles() || accel_.has_shape_tree() ? pool_paths : 0), endless_(1),
+      results_(scene.camera.width * scene.camera.height,
+               is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {}
 
 void Wavefront::begin_sample(std::uint32_t sample) {
-    const Wave wave{scene_.view(),
+    SceneView scene = scene_.view();
+    const ShapeTreeView shapes = accel_.shapes(scene);
+    if (accel_.has_shape_tree()) scene.sphere_groups = {}, scene.quad_groups = {};
+    const Wave wave{scene,
                     host_scene_.render,
                     sample,
                     pool_.view(),
-                    accel_.view(scene_.view().triangles),
+                    accel_.view(scene.triangles),
+                    shapes,
                     {walk_counts_.data(), endless_.data()},
                     feelers_.data(),
                     feelers_sent_.data()};
@@ -57,7 +63,7 @@ void Wavefront::launch(Stage stage, StageKernel* kernel, const int* slots, int n
 // The same for a walk, and what it visited is added up.
 void Wavefront::launch_walk(Stage stage, StageKernel* kernel, const int* slots, int n,
                             WalkTally* tally) {
-    if (n == 0 || !accel_.has_triangles()) return;
+    if (n == 0) return;
     launch(stage, kernel, slots, n);
     const int block = machine_.block_size,
               blocks = blocks_for(blocks_for(n, counts_per_thread), block);
@@ -75,8 +81,12 @@ void Wavefront::generate(int first, int n) {
 
 void Wavefront::walk(int bounce) {
     results_.of_bounce(bounce).walks.rays += alive_;
-    launch_walk(Stage::walk, accel_.kernels().closest, live_.data(), alive_,
-                results_.walks_of_bounce(bounce));
+    if (accel_.has_triangles())
+        launch_walk(Stage::walk, accel_.kernels().closest, live_.data(), alive_,
+                    results_.walks_of_bounce(bounce));
+    if (accel_.has_shape_tree())
+        launch_walk(Stage::walk, shape_kernels().closest, live_.data(), alive_,
+                    results_.walks_past_shapes());
 }
 
 void Wavefront::intersect() { launch(Stage::intersect, kernels_.intersect, live_.data(), alive_); }
@@ -100,8 +110,12 @@ void Wavefront::shade() {
 void Wavefront::trace_feelers() {
     const int sent = feelers_sent_.to_host().front();
     results_.feelers_walked() += sent;
-    launch_walk(Stage::walk_feelers, accel_.kernels().any, feelers_.data(), sent,
-                results_.walks_of_feelers());
+    if (accel_.has_triangles())
+        launch_walk(Stage::walk_feelers, accel_.kernels().any, feelers_.data(), sent,
+                    results_.walks_of_feelers());
+    if (accel_.has_shape_tree())
+        launch_walk(Stage::walk_feelers, shape_kernels().any, feelers_.data(), sent,
+                    results_.feelers_past_shapes());
     launch(Stage::shadow, kernels_.shadow, feelers_.data(), sent);
 }
 

@@ -14,7 +14,7 @@ namespace raylab::lab04 {
 
 class Wavefront {
   public:
-    // The scene must outlive this. accel: over its triangles.
+    // The scene must outlive this. accel: over its shapes.
     Wavefront(const Scene& scene, const MachineSettings& machine, Accel accel, int pool_paths);
 
     // Every stage from here on works for this sample.
@@ -22,10 +22,10 @@ class Wavefront {
 
     // Fills slots 0 ... n - 1 with the paths of the pixels from `first` on.
     void generate(int first, int n);
-    void walk(int bounce); // through the triangles
+    void walk(int bounce); // through the trees
     void intersect();      // the other shapes
     void shade();
-    void trace_feelers(); // that shade() sent: through the triangles, past the other shapes
+    void trace_feelers(); // that shade() sent: through the trees, past the other shapes
     void remove_ended(int bounce);
     void accumulate(int n); // slots 0 ... n - 1
 

@@ -9,6 +9,7 @@
 #include "common/geometry/make_quad.h"
 #include "common/geometry/offset.h"
 #include "common/scene/quad_groups.h"
+#include "common/scene/sphere_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,7 @@ inline Triangle make_triangle(Vec3 a, Vec3 b, Vec3 c) {
 struct World {
     std::vector<Sphere> spheres;
     std::vector<Quad> quads;
+    mutable std::vector<SphereGroup> sphere_groups;
     mutable std::vector<QuadGroup> quad_groups;
     std::vector<Plane> planes;
     std::vector<Triangle> triangles;
@@ -136,6 +138,8 @@ struct World {
         SceneView scene{};
         scene.spheres = {spheres.data(), int(spheres.size())};
         scene.quads = {quads.data(), int(quads.size())};
+        sphere_groups = group_spheres(spheres);
+        scene.sphere_groups = {sphere_groups.data(), int(sphere_groups.size())};
         quad_groups = group_quads(quads);
         scene.quad_groups = {quad_groups.data(), int(quad_groups.size())};
         scene.planes = {planes.data(), int(planes.size())};

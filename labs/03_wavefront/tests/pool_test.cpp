@@ -1,5 +1,6 @@
 // Task 3.1: the pool and its stages. Truth from closed forms and from the paths' own records; what
 // must not matter (pool, blocks, order of slots, compaction, sorting) must not change a bit.
+#include "common/scene/sphere_groups.h"
 #include "common/task/facts.h"
 #include "common/task/small_scene.h"
 #include "labs/03_wavefront/renderer.h"
@@ -246,6 +247,7 @@ TEST(Task3_1, ScalingByAPowerOfTwoChangesNoBit) {
         const float scale = std::ldexp(1.0f, k);
         scene.camera.position *= scale;
         for (Sphere& sphere : scene.spheres) sphere.center *= scale, sphere.radius *= scale;
+        scene.sphere_groups = group_spheres(scene.spheres);
         expect(same_bits(trace(scene).film, unit),
                fmt::format("a scene 2^{} times as large has another image; the likely cause: an "
                            "absolute epsilon",

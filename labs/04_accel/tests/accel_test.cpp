@@ -97,7 +97,7 @@ TEST(WalkLedger, CountsWhatEachRayVisits) {
         const WalkSums& walks = ledger.bounces.at(0).walks;
         EXPECT_EQ(walks.rays, rays);
         EXPECT_EQ(walks.nodes, nodes * rays) << name_of(accel.accel) << " at " << at;
-        EXPECT_EQ(walks.triangle_blocks, blocks * rays) << name_of(accel.accel) << " at " << at;
+        EXPECT_EQ(walks.blocks, blocks * rays) << name_of(accel.accel) << " at " << at;
         ASSERT_TRUE(ledger.structure);
         EXPECT_EQ(ledger.structure->feelers.rays, 0u);
     }
@@ -126,6 +126,36 @@ TEST(WalkLedger, DescribesTheStructure) {
     EXPECT_GT(facts.build_seconds, 0);
     EXPECT_THAT(to_json(ledger), HasSubstr("\"nodes_per_ray\": 1.0"));
     EXPECT_THAT(to_table(ledger), HasSubstr("16 triangles: sah, asked for"));
+}
+
+// A row of spheres along x, each before its own pixels: more than a few groups have a tree.
+TEST(WalkLedger, DescribesTheTreeOverSpheres) {
+    std::string shapes;
+    for (int i = 0; i < 10 * spheres_per_group; ++i)
+        shapes += fmt::format(R"({}{{"kind": "sphere", "center": [{}, 0, 0], "radius": 0.4,
+                                     "material": "grey"}})",
+                              i == 0 ? "" : ",", i);
+    const Scene scene = task::small_scene(
+        {.materials = R"("grey": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
+         .shapes = shapes,
+         .render = R"("max_depth": 1, "spp": 1)",
+         .camera = R"("position": [80, 0, 50], "look_at": [80, 0, 0], "up": [0, 1, 0],
+                      "vfov_deg": 0.1)",
+         .width = 8,
+         .height = 4});
+    const Ledger ledger = ledger_of(scene, {});
+    EXPECT_FALSE(ledger.structure);
+    const ShapeTreeFacts& facts = ledger.shapes.value();
+    EXPECT_EQ(facts.spheres, 10 * spheres_per_group);
+    EXPECT_EQ(facts.nodes, 9);
+    EXPECT_EQ(facts.depth, 4);
+    EXPECT_EQ(facts.bytes, 9 * sizeof(BvhNode));
+    EXPECT_EQ(facts.rays.rays, 8u * 4 * 3);
+    EXPECT_GE(facts.rays.blocks, facts.rays.rays);     // one group each,
+    EXPECT_LE(facts.rays.blocks, 2 * facts.rays.rays); // or two at its end
+    EXPECT_THAT(to_json(ledger), HasSubstr("\"groups_per_ray\": 1.0"));
+    EXPECT_THAT(to_table(ledger), HasSubstr("160 spheres, 0 quads: boxes over groups of sixteen"));
+    EXPECT_FALSE(ledger_of(scene, {AccelKind::none}).shapes);
 }
 
 TEST(WalkLedger, HasNoStructureWithoutTriangles) {
