@@ -16,14 +16,17 @@ namespace {
 
 // Cuts through triangles are tried where the children's boxes would overlap by more than these
 // shares of the scene's box and of the node's, and as long as there are no more references than
-// this for each triangle.
+// this for each triangle. Where boxes overlap however the triangles are parted, most are tried in
+// vain: below so many in a row none is.
 constexpr double least_overlap = 1e-3, least_own_overlap = 0.2, most_references = 1.4;
+constexpr int most_in_vain = 3;
 
 // What a node is built of.
 struct Work {
     Items items;
     int depth;    // of the node
     double spare; // references that cuts through triangles may add
+    int in_vain;  // cuts through triangles that did not pay, one below the other, right above here
 };
 
 // A node cut in two. Cuts through triangles make new items, and keep them here.
@@ -45,9 +48,11 @@ struct Cutter {
         const int halvings = std::bit_width(work.items.size());
         const bool deep = work.depth + halvings >= max_sah_depth;
         const Split split = deep ? Split{} : best_cut_between(work.items, centres);
-        if (split.overlap > least_overlap * root_area && work.spare >= 1) {
+        int in_vain = work.in_vain;
+        if (split.overlap > least_overlap * root_area && work.spare >= 1 &&
+            in_vain < most_in_vain) {
             Halves halves;
-            if (cut_through(work, split, halves)) return halves;
+            if (cut_through(work, split, halves, in_vain)) return halves;
         }
         int axis = split.axis;
         std::size_t middle = axis >= 0 ? cut_between(work.items, centres, split) : 0;
@@ -55,25 +60,26 @@ struct Cutter {
         if (middle == 0 || middle == work.items.size())
             middle = cut_at_median(work.items, centres, axis);
         return halves_of(work, axis, work.items.subspan(0, middle), work.items.subspan(middle),
-                         work.spare);
+                         work.spare, in_vain);
     }
 
   private:
     // False if it would cost no less than the one between, part nothing, or make too many
-    // references.
-    bool cut_through(const Work& work, const Split& between, Halves& halves) const {
+    // references; in_vain counts that.
+    bool cut_through(const Work& work, const Split& between, Halves& halves, int& in_vain) const {
         Bounds box;
         for (const BuildItem& item : work.items) box.include(item.box);
         if (between.overlap <= least_own_overlap * half_area(box)) return false;
-        const Split through = best_cut_through(work.items, box, triangles);
-        if (through.cost >= between.cost) return false;
+        ++in_vain;
+        const Split through = best_cut_through(work.items, box, triangles, between.cost);
+        if (through.axis < 0) return false;
         std::vector<BuildItem> left, right;
         lab04::cut_through(work.items, triangles, clip, through, left, right);
         const std::size_t n = work.items.size();
         const double spare = work.spare - (double(left.size() + right.size()) - double(n));
         if (left.empty() || right.empty() || left.size() >= n || right.size() >= n || spare < 0)
             return false;
-        halves = halves_of(work, through.axis, left, right, spare);
+        halves = halves_of(work, through.axis, left, right, spare, 0);
         halves.made[0] = std::move(left), halves.made[1] = std::move(right);
         return true;
     }
@@ -93,11 +99,12 @@ struct Cutter {
     }
 
     // What may be added is shared out by size, so that no subtree depends on another.
-    static Halves halves_of(const Work& work, int axis, Items left, Items right, double spare) {
+    static Halves halves_of(const Work& work, int axis, Items left, Items right, double spare,
+                            int in_vain) {
         const double share = spare / double(left.size() + right.size());
         return {axis,
-                {{left, work.depth + 1, share * double(left.size())},
-                 {right, work.depth + 1, share * double(right.size())}},
+                {{left, work.depth + 1, share * double(left.size()), in_vain},
+                 {right, work.depth + 1, share * double(right.size()), in_vain}},
                 {}};
     }
 };
@@ -115,14 +122,8 @@ int add_node(BvhTree& tree, int parent) {
 Child finish(BvhTree& tree, int self, int axis, const Child& left, const Child& right) {
     BvhNode& node = tree.nodes[self];
     node.axis = axis;
-    const Child* half[2] = {&left, &right};
-    for (int k = 0; k < 2; ++k) {
-        for (int a = 0; a < 3; ++a) {
-            node.box[a][0][k] = half[k]->box.low[a];
-            node.box[a][1][k] = half[k]->box.high[a];
-        }
-        node.child[k] = half[k]->child;
-    }
+    set_child(node, 0, left.child, left.box);
+    set_child(node, 1, right.child, right.box);
     Bounds box = left.box;
     box.include(right.box);
     return {self, box};
@@ -219,7 +220,7 @@ BvhTree build_bvh_sah(const std::vector<Triangle>& triangles, int threads) {
     for (const BuildItem& item : *items) box.include(item.box);
     const float largest = max_component(glm::max(abs(box.low), abs(box.high)));
     const Cutter cutter{triangles, KdClip(largest), half_area(box)};
-    Piece root{cutter, items, {*items, 0, (most_references - 1) * double(items->size())}};
+    Piece root{cutter, items, {*items, 0, (most_references - 1) * double(items->size()), 0}};
     build_in_pieces(root, threads);
 
     BvhTree tree;

@@ -34,8 +34,9 @@ Split best_cut_between(std::span<const BuildItem> items, const Bounds& centres);
 // Moves those that go left to the front; returns how many.
 std::size_t cut_between(Items items, const Bounds& centres, const Split& split);
 
+// Of those that cost less than most_cost; axis -1: none does.
 Split best_cut_through(std::span<const BuildItem> items, const Bounds& box,
-                       const std::vector<Triangle>& triangles);
+                       const std::vector<Triangle>& triangles, double most_cost);
 // References that a cut through leaves on the left and on the right.
 void cut_through(std::span<const BuildItem> items, const std::vector<Triangle>& triangles,
                  const KdClip& clip, const Split& split, std::vector<BuildItem>& left,
