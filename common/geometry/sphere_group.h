@@ -23,6 +23,7 @@ struct SphereGroup {
 // So few are tested as fast as they are glanced at.
 constexpr int few_spheres = 4;
 
+//[ withhold 01
 // A bit for each lane whose sphere `ray` may meet in (0, t_max].
 //
 // With f from the centre to the origin the line comes nearest to the centre at t = -f.d / d.d, and
@@ -48,5 +49,6 @@ HD_HOT std::uint32_t glance(const SphereGroup& group, const Ray& ray, float t_ma
     }
     return maybe;
 }
+//]
 
 } // namespace raylab
