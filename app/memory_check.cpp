@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <thread>
 
 namespace raylab::app {
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::uint64_t image_bytes = 2 * sizeof(Vec3); // mean and standard error
 constexpr std::uint64_t file_bytes = 3 * sizeof(Vec3);  // variance; noise, that is not compressed
-constexpr std::uint64_t program_bytes = 16 << 20;       // threads, buffers of libraries
+constexpr std::uint64_t program_bytes = 24 << 20;       // code, buffers of libraries
+constexpr std::uint64_t stack_bytes = 8 << 20; // of a thread: reserved, which `ulimit -v` counts
 
 // The largest film of the same shape, or nothing.
 std::string what_fits(const MemoryNeed& need, std::uint64_t available) {
@@ -27,8 +29,11 @@ std::string what_fits(const MemoryNeed& need, std::uint64_t available) {
 
 MemoryNeed memory_need(const Lab& lab, const Scene& scene, const MachineSettings& machine) {
     const MemoryUse use = lab.memory(scene, machine);
+    const std::uint64_t workers =
+        machine.threads > 0 ? machine.threads : std::thread::hardware_concurrency();
+    const std::uint64_t threads = workers + 1; // and the one that renders (kept_render.h)
     return {scene.camera.width, scene.camera.height, use.pixel + image_bytes + file_bytes,
-            use.fixed + program_bytes};
+            use.fixed + program_bytes + threads * stack_bytes};
 }
 
 std::string to_sentence(const MemoryNeed& need, const AvailableMemory& available) {

@@ -120,7 +120,7 @@ TEST_F(InterruptCli, TimeoutThatSendsTwiceKeepsTheRenderToo) {
 // A sample that takes long is given up, and those before it are kept.
 TEST_F(InterruptCli, ALongSampleIsNotWaitedFor) {
     Running render("render 01 " + in("slow.json") +
-                       " -q --threads 1 --width 140 --height 140 --spp 100 --snapshots 1 -o " +
+                       " -q --threads 1 --width 220 --height 220 --spp 100 --snapshots 1 -o " +
                        in("o.exr"),
                    in("said"));
     wait_for("o_0001.exr");
@@ -135,7 +135,7 @@ TEST_F(InterruptCli, ALongSampleIsNotWaitedFor) {
 
 TEST_F(InterruptCli, WithoutASampleNothingIsWrittenAndASecondSignalDoesNotWait) {
     const std::string arguments = "render 01 " + in("slow.json") +
-                                  " -q --threads 1 --width 140 --height 140 --spp 100 -o " +
+                                  " -q --threads 1 --width 500 --height 500 --spp 100 -o " +
                                   in("new/o.exr");
     Running once(arguments, in("said"));
     wait_for("new"); // the scene is loaded
