@@ -36,6 +36,7 @@ struct Quad {
     // Of a parallelogram: p - v[0] = c0 (v[1] - v[0]) + c1 (v[3] - v[0]) with ci = across[i].(p -
     // v[0]).
     DVec3 across[2];
+    float steepness; // the length of the longer one
     // Of the half v[0] v[1] v[2] and the half v[0] v[2] v[3]; the same if it is a parallelogram.
     DVec3 half_normal[2];  // across its plane, twice the half's area long
     float conditioning[2]; // see normal_conditioning() in error.h

@@ -45,13 +45,15 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p, Vec3
     const ExactPlane plane = exact_plane(quad, first_half);
     const float conditioning = quad.conditioning[first_half ? 0 : 1];
     p = project(plane, p);
-    const float error = error_on_plane(plane, Vec3(p), quad.normal, conditioning);
-    if (!(quad.parallelogram && is_clear_of_edges(quad, p, error)))
-        p = clear_of_edges(quad.v, plane, p, error);
     SurfacePoint s{};
     s.p = Vec3(p);
     s.ng = quad.normal;
     s.error = error_on_plane(plane, s.p, s.ng, conditioning);
+    if (!(quad.parallelogram && is_surely_clear_of_edges(quad, p, s.error))) {
+        p = clear_of_edges(quad.v, plane, p, s.error);
+        s.p = Vec3(p);
+        s.error = error_on_plane(plane, s.p, s.ng, conditioning);
+    }
     s.shading = Frame::around(s.ng);
     if constexpr (F & feature::texture) s.uv = quad_uv(quad, p);
     return s;
