@@ -83,6 +83,7 @@ void write_page(const CompareCommand& command, const Comparison& comparison) {
     entry.title = title;
     entry.lab = a.provenance.renderer;
     entry.passed = comparison.verdict.passed;
+    entry.decided = comparison.decided;
     entry.verdict = comparison.verdict;
     entry.facts = {{"relMSE of A", fmt::format("{:.3g}", comparison.metrics.rel_mse)},
                    {"mean error", fmt::format("{:+.3f} %", 100 * comparison.metrics.rel_error)}};

@@ -23,9 +23,10 @@ std::string anchor(const ReportEntry& e) {
     return name;
 }
 
-std::string badge(bool passed) {
-    return passed ? "<span class=\"badge pass\">passed</span>"
-                  : "<span class=\"badge fail\">failed</span>";
+std::string badge(const ReportEntry& e) {
+    if (!e.decided) return "<span class=\"badge open\">undecided</span>";
+    return e.passed ? "<span class=\"badge pass\">passed</span>"
+                    : "<span class=\"badge fail\">failed</span>";
 }
 
 std::string percent(double share, const char* format = "{:+.2f}&#8239;%") {
@@ -64,7 +65,7 @@ std::string table_row(const ReportEntry& e) {
     return fmt::format("<tr><td><a href=\"#at={}\">{}</a></td><td>{}</td><td>{}</td>"
                        "<td class=\"number\">{}</td><td class=\"number\">{}</td>"
                        "<td class=\"number\">{}</td></tr>\n",
-                       anchor(e), escape_html(e.title), escape_html(e.lab), badge(e.passed), error,
+                       anchor(e), escape_html(e.title), escape_html(e.lab), badge(e), error,
                        rel_mse, seconds(e.seconds));
 }
 
@@ -208,9 +209,8 @@ std::string entry_html(const ReportEntry& e, Pictures& pictures, nlohmann::json&
     return fmt::format("<article id=\"{}\">\n<h3>{} {}</h3>\n<p class=\"sentence\">{}</p>\n{}{}"
                        "<div class=\"body\">{}<div class=\"side\"><dl>{}</dl>{}</div></div>\n"
                        "</article>\n",
-                       anchor(e), escape_html(e.lab), badge(e.passed),
-                       escape_html(e.verdict.sentence), hints, checks_list(e), pictures_html, facts,
-                       lanes_chart(e.lanes_alive));
+                       anchor(e), escape_html(e.lab), badge(e), escape_html(e.verdict.sentence),
+                       hints, checks_list(e), pictures_html, facts, lanes_chart(e.lanes_alive));
 }
 
 } // namespace

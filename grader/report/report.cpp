@@ -26,6 +26,7 @@ nlohmann::json report_json(const Report& report) {
                            {"reason", e.reason},
                            {"lab", e.lab},
                            {"passed", e.passed},
+                           {"decided", e.decided},
                            {"verdict", e.verdict},
                            {"checks", e.checks},
                            {"seconds", e.seconds},

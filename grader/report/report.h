@@ -22,6 +22,7 @@ struct ReportEntry {
     std::string scene, title, reason; // entries of the same scene should follow each other
     std::string lab;
     bool passed = false;         // all of the verdicts below
+    bool decided = true;         // false: what is known cannot decide; the verdict says what would
     Verdict verdict;             // the main one
     std::vector<Verdict> checks; // further ones: closed forms, the same paths as another lab
     double seconds = 0;

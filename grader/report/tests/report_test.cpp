@@ -113,6 +113,16 @@ TEST(Report, EntriesWithoutPicturesOrOfOtherSizesAreShownAsFarAsTheyGo) {
 }
 
 // What page.js does, on the picture's own bytes.
+TEST(Report, WhatCannotBeDecidedIsNotCalledFailed) {
+    Report report = some_report();
+    report.entries.resize(1);
+    report.entries[0].passed = report.entries[0].decided = false;
+    const std::string page = report_html(report);
+    EXPECT_THAT(page, HasSubstr(">undecided</span>"));
+    EXPECT_THAT(page, Not(HasSubstr(">failed</span>")));
+    EXPECT_EQ(report_json(report)["entries"][0]["decided"], false);
+}
+
 TEST(Report, PicturesKeepTheRangeOfRadiance) {
     Image image = simulated::render(4, 1, 1, 1, Noise::pixel);
     image.mean = {Vec3(1e-6f, 2e-6f, 1e-7f), Vec3(3e5f, 1e5f, 0), Vec3(0), Vec3(NAN)};
