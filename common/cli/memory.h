@@ -16,6 +16,10 @@ struct AvailableMemory {
 // /proc and /sys are: for tests.
 AvailableMemory available_memory(const std::string& root = "");
 
+// Where `ulimit -v` counts address space, all threads share one heap: the GNU C library reserves 64
+// MiB for each thread that allocates, which that limit counts though nobody uses them. Call first.
+void spare_address_space();
+
 // The most that this program had in memory at once so far.
 std::uint64_t peak_memory();
 
