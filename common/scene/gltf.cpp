@@ -263,8 +263,11 @@ class GltfReader {
                                          "KHR_lights_punctual", "EXT_mesh_gpu_instancing"};
         for (const Node& extension : used->elements()) {
             const std::string name = extension.string();
-            // Materials have counted their own; metadata is no loss.
-            if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_xmp") &&
+            // Materials have counted their own, but variants are the primitives'; metadata is no
+            // loss.
+            const bool is_counted =
+                name.starts_with("KHR_materials_") && !(look_ && name == "KHR_materials_variants");
+            if (!is_counted && !name.starts_with("KHR_xmp") &&
                 std::find(read.begin(), read.end(), name) == read.end())
                 losses_.add(name, "extension");
         }

@@ -146,15 +146,17 @@ Material plastic(const GltfMaterial& m) {
     const float exponent = (2 / (alpha * alpha) - 2) / 4;
     const Vec3 diffuse = (1 - m.metallic) * m.base_colour;
     const Vec3 specular = (1 - m.metallic) * m.f0 + m.metallic * m.base_colour;
-    // A lobe as wide as that is no highlight any more.
-    if (exponent < 1 || is_black(specular)) {
-        result.reflectance = m.base_colour;
+    const Vec3 below = diffuse * (1 - max_component(specular)); // what the coat lets through
+    // A lobe as wide as that is no highlight any more: its light joins the diffuse part. A picture
+    // would tint it there, so under one it stays a lobe.
+    if (is_black(specular) || (exponent < 1 && !m.base_texture.exists())) {
+        result.reflectance = below + specular;
         return result;
     }
     result.kind = MaterialKind::phong;
-    result.exponent = std::min(exponent, 1e5f);
+    result.exponent = clamp(exponent, 0, 1e5f);
     result.specular = specular;
-    result.reflectance = diffuse * (1 - max_component(specular)); // what the coat lets through
+    result.reflectance = below;
     return result;
 }
 
@@ -184,9 +186,9 @@ const std::vector<std::string>& gltf_approximations() {
         "A metal (metallic factor of at least 1/2) is a microfacet conductor, alpha = roughness^2, "
         "whose index reflects the base colour; under a base colour texture it reflects that colour "
         "at all angles.",
-        "Any other opaque surface is a diffuse one below a Phong lobe as wide as the microfacets, "
-        "or "
-        "diffuse alone from roughness 0.76 on; the lobe does not grow towards grazing angles.",
+        "Any other opaque surface is a diffuse one below a Phong lobe as wide as the microfacets; "
+        "from roughness 0.76 on both together are diffuse, but under a base colour texture. The "
+        "lobe does not grow towards grazing angles.",
         "Rough metals lose the light that bounces between microfacets, as glTF's do.",
         "Transmission of at least 1/2 is solid glass, rough where roughness^2 is at least 0.001, "
         "tinted by the base colour; less transmission is none. Thin walls refract, volumes do not "

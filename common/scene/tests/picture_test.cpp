@@ -45,6 +45,10 @@ TEST(Png, OfSixteenBitsKeepsThemAndIsSrgbWhateverItsGammaChunkSays) {
               (std::vector{srgb(1000, 1000, 1000, 65535), Vec3(1)})); // 1000 / 256 is not whole
 }
 
+TEST(Png, MayCarryTextThatIsLargeForItsPicture) {
+    EXPECT_EQ(picture_of("text.png").width, 1); // 91 bytes, one word of them text
+}
+
 TEST(Png, WithAnyBitFlippedIsAnErrorOrTheSamePicture) {
     int noticed = 0, flips = 0;
     for (const char* name :
