@@ -89,9 +89,9 @@ HD double edge_error(const Corner& a, const Corner& way) {
     return 0x1p-49 * (a.size * way.width + a.width * way.size);
 }
 
-// encloses() for a triangle by its ways: slower, and needed only if is_close().
-HD_RARE bool encloses_closely(const ShearedRay& ray, const Vec3& v0, const Vec3& v1,
-                              const Vec3& v2) {
+// encloses() for a triangle by its ways: slower, and needed only if is_close(). The ray is a copy,
+// so that the loops that might call this can keep theirs in registers.
+HD_RARE bool encloses_closely(ShearedRay ray, const Vec3& v0, const Vec3& v1, const Vec3& v2) {
     const Corner a = ray(v0), b = ray(v1), c = ray(v2);
     const Corner ab = ray.between(v0, v1), bc = ray.between(v1, v2), ca = ray.between(v2, v0);
     const double e0 = edge(a, ab), e1 = edge(b, bc), e2 = edge(c, ca);
