@@ -239,8 +239,8 @@ TEST_F(Cli, RareCasesShowWhereNothingIsGained) {
 }
 
 TEST_F(Cli, HelpHasExamplesAndAPipeHasNoProgressLines) {
-    for (const std::string command :
-         {"render", "compare", "reference", "scenes", "demo", "bench", "rare-cases", "export", "import"}) {
+    for (const std::string command : {"render", "compare", "reference", "scenes", "demo", "bench",
+                                      "rare-cases", "export", "import"}) {
         const Outcome outcome = raylab(command + " --help");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.text.find("Examples"), std::string::npos) << command;

@@ -10,8 +10,8 @@ namespace raylab {
 
 // The tables of Environment (view.h): row_cdf[i] = P(row < i), height + 1 values;
 // column_cdf[row * (width + 1) + j] = P(column < j | row). They begin with 0, end with 1 and never
-// fall. All are multiples of 2^-24, as random numbers are: probabilities are exact. A black texel is
-// never chosen, but a black row is uniform within, a black map is uniform over the sphere.
+// fall. All are multiples of 2^-24, as random numbers are: probabilities are exact. A black texel
+// is never chosen, but a black row is uniform within, a black map is uniform over the sphere.
 struct EnvironmentCdf {
     std::vector<float> row, column;
 };

@@ -100,8 +100,8 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                                     ? settings.memory_budget
                                     : static_cast<std::int64_t>(device.totalGlobalMem);
     const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
-    const int pool = pool_that_fits(
-        budget, memory_needs(scene, accel.bytes(), wanted, machine.records), wanted);
+    const int pool =
+        pool_that_fits(budget, memory_needs(scene, accel.bytes(), wanted, machine.records), wanted);
     return std::make_unique<AccelRenderer>(scene, machine, std::move(accel), pool);
 }
 
