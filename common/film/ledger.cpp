@@ -26,16 +26,11 @@ double per_ray(std::uint64_t visits, const WalkSums& walks) {
     return walks.rays == 0 ? 0.0 : static_cast<double>(visits) / static_cast<double>(walks.rays);
 }
 
-nlohmann::ordered_json walks_json(const WalkSums& walks) {
+// blocks: what is tested in the leaves, "triangle_blocks" or "groups".
+nlohmann::ordered_json walks_json(const WalkSums& walks, const char* blocks) {
     return {{"rays", walks.rays},
             {"nodes_per_ray", per_ray(walks.nodes, walks)},
-            {"triangle_blocks_per_ray", per_ray(walks.blocks, walks)}};
-}
-
-nlohmann::ordered_json shape_walks_json(const WalkSums& walks) {
-    return {{"rays", walks.rays},
-            {"nodes_per_ray", per_ray(walks.nodes, walks)},
-            {"groups_per_ray", per_ray(walks.blocks, walks)}};
+            {fmt::format("{}_per_ray", blocks), per_ray(walks.blocks, walks)}};
 }
 
 nlohmann::ordered_json shapes_json(const ShapeTreeFacts& shapes) {
@@ -45,8 +40,8 @@ nlohmann::ordered_json shapes_json(const ShapeTreeFacts& shapes) {
             {"depth", shapes.depth},
             {"bytes", shapes.bytes},
             {"build_seconds", shapes.build_seconds},
-            {"walks", shape_walks_json(shapes.rays)},
-            {"feelers", shape_walks_json(shapes.feelers)}};
+            {"walks", walks_json(shapes.rays, "groups")},
+            {"feelers", walks_json(shapes.feelers, "groups")}};
 }
 
 nlohmann::ordered_json structure_json(const StructureFacts& structure) {
@@ -59,7 +54,7 @@ nlohmann::ordered_json structure_json(const StructureFacts& structure) {
             {"depth", structure.depth},
             {"bytes", structure.bytes},
             {"build_seconds", structure.build_seconds},
-            {"feelers", walks_json(structure.feelers)}};
+            {"feelers", walks_json(structure.feelers, "triangle_blocks")}};
 }
 
 } // namespace
@@ -106,7 +101,7 @@ std::string to_json(const Ledger& ledger) {
             row["blocks"] = bounce.blocks;
             row["batches"] = bounce.batches;
         }
-        if (ledger.structure) row["walks"] = walks_json(bounce.walks);
+        if (ledger.structure) row["walks"] = walks_json(bounce.walks, "triangle_blocks");
         json["bounces"].push_back(row);
     }
     return json.dump(2);
