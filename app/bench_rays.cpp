@@ -6,9 +6,9 @@
 #include "common/cli/files.h"
 #include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
-#include "common/scene/load.h"
-#include "common/scene/procedural/procedural.h"
-#include "common/scene/suggest.h"
+#include "common/load/load.h"
+#include "common/load/procedural/procedural.h"
+#include "common/load/suggest.h"
 #include "grader/bench/rays/rays_bench.h"
 #include "grader/bench/text.h"
 

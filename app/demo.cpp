@@ -5,7 +5,7 @@
 #include "common/cli/files.h"
 #include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 #include "grader/judge/json.h"
 #include "grader/report/report.h"
 

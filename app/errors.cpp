@@ -4,7 +4,7 @@
 #include "common/cli/files.h"
 #include "common/cli/memory.h"
 #include "common/image/image_file.h"
-#include "common/scene/scene_error.h"
+#include "common/load/scene_error.h"
 
 #include <fmt/format.h>
 

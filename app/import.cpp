@@ -3,8 +3,8 @@
 #include "app/import_scene.h"
 #include "app/output.h"
 #include "common/cli/files.h"
-#include "common/scene/load.h"
-#include "common/scene/read_file.h"
+#include "common/load/load.h"
+#include "common/load/read_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // A mesh file as a scene that a person then edits.
 #pragma once
 
-#include "common/scene/mesh.h"
+#include "common/load/mesh.h"
 
 #include <string>
 #include <vector>

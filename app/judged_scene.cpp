@@ -1,7 +1,7 @@
 #include "app/judged_scene.h"
 
 #include "common/image/image_file.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <fmt/format.h>
 

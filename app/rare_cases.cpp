@@ -1,8 +1,8 @@
 #include "app/rare_cases.h"
 
 #include "common/cli/progress.h"
+#include "common/load/load.h"
 #include "common/math/index.h"
-#include "common/scene/load.h"
 
 #include <algorithm>
 

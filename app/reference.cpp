@@ -6,7 +6,7 @@
 #include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <fmt/format.h>
 

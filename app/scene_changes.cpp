@@ -1,7 +1,7 @@
 #include "app/scene_changes.h"
 
 #include "app/labs.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // raylab scenes: what is bundled, and why.
 #include "app/commands.h"
-#include "common/scene/features.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
+#include "common/scene/scene_features.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

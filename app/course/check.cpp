@@ -1,7 +1,7 @@
 // raylab check LAB [TASK]: NOT IMPLEMENTED, WRONG or PASS for each task, in seconds.
 #include "app/course/check_run.h"
 #include "app/course/commands.h"
-#include "common/scene/suggest.h"
+#include "common/load/suggest.h"
 
 #include <fmt/format.h>
 

@@ -9,12 +9,12 @@
 #pragma once
 
 #include "app/labs.h"
-#include "common/geometry/intersect.h"
 #include "common/geometry/make_quad.h"
+#include "common/load/load.h"
 #include "common/sampling/tests/statistics.h"
-#include "common/scene/load.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/sphere_groups.h"
+#include "common/trace/intersect.h"
 #include "labs/01_recursive/intersect.h"
 
 #include <fmt/format.h>

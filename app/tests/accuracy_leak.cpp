@@ -3,7 +3,7 @@
 #include "app/tests/accuracy.h"
 #include "app/tests/icosphere.h"
 #include "common/geometry/offset.h"
-#include "common/scene/transform.h"
+#include "common/load/transform.h"
 
 namespace raylab::app {
 
@@ -191,7 +191,7 @@ TEST_P(EachLab, SelfConvexPathsTouchASphereOnce) {
 // --- GAP-LEAK ---------------------------------------------------------------------------------
 
 // A floor under a black lid at height g, a white sky above the lid: the camera in between must see
-// black. An offset larger than the gap starts rays and feelers above the lid.
+// black. An offset larger than the gap starts rays and shadow rays above the lid.
 TEST_P(EachLab, GapLeakALidCloseAboveTheFloorKeepsTheSkyOut) {
     for (const double gap : {1e-2, 1e-3, 1e-4, 1e-5})
         for (const double size : {1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6}) {

@@ -4,7 +4,7 @@
 // its angle from the zenith. Cosine-distributed directions make both uniform in [0, 1], so a
 // pixel's red and green are the two numbers of its first bounce, folded.
 #include "app/tests/accuracy.h"
-#include "common/scene/environment_map.h"
+#include "common/load/environment_map.h"
 
 namespace raylab::app {
 

@@ -6,7 +6,7 @@
 // interpolated normal decide alone. raylab does not lift; the test reports both errors.
 #include "app/tests/accuracy.h"
 #include "app/tests/icosphere.h"
-#include "common/geometry/surface.h"
+#include "common/trace/surface.h"
 
 namespace raylab::app {
 

@@ -4,7 +4,7 @@
 
 #include "app/labs.h"
 #include "app/scene_changes.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <algorithm>
 #include <cstring>
@@ -55,7 +55,7 @@ inline std::string first_difference(const Traced& a, const Traced& b, int width)
                 return "pixel (" + std::to_string(pixel % width) + ", " +
                        std::to_string(pixel / width) + "), sample " + std::to_string(sample) +
                        ": lengths " + std::to_string(x.length) + " and " +
-                       std::to_string(y.length) + ", feelers " + std::to_string(x.shadow_rays) +
+                       std::to_string(y.length) + ", shadow rays " + std::to_string(x.shadow_rays) +
                        " and " + std::to_string(y.shadow_rays);
         }
     return "";

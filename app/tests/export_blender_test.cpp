@@ -2,7 +2,7 @@
 // here: that it says what the scene says, and that nothing is left out silently.
 #include "app/export_blender.h"
 #include "app/labs.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

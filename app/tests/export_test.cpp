@@ -6,7 +6,7 @@
 #include "app/labs.h"
 #include "common/geometry/make_quad.h"
 #include "common/image/formats.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <gmock/gmock.h>
 

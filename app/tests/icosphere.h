@@ -1,8 +1,8 @@
 // A closed mesh built in code: an icosahedron whose faces are split in four, `level` times.
 #pragma once
 
+#include "common/load/scene_builder.h"
 #include "common/scene/scene.h"
-#include "common/scene/scene_builder.h"
 #include "common/scene/triangle_runs.h"
 
 #include <array>

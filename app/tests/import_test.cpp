@@ -2,7 +2,7 @@
 #include "app/import_scene.h"
 
 #include "app/labs.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

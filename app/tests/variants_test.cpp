@@ -1,6 +1,7 @@
 // A scene looks the same in every kernel variant that covers its features, to the bit: what a
 // variant leaves out is only what the scene does not have.
 #include "app/tests/accuracy.h"
+#include "common/scene/scene_features.h"
 #include "common/scene/variants.h"
 #include "labs/02_iterative/path.h"
 

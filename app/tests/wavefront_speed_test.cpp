@@ -2,7 +2,7 @@
 // registers. There are no warps to be kept full here, so all that shows is the price of writing
 // paths down. The two take turns; the median of the ratios counts. At most 1.6 is the aim.
 #include "app/labs.h"
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

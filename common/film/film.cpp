@@ -15,10 +15,10 @@ void develop(const Film& strip, Image& image, std::size_t first_pixel) {
         if (n == 0) continue;
         for (int c = 0; c < 3; ++c) {
             const double m = pixel.sum[c] / n;
-            (&mean.x)[c] = static_cast<float>(m);
+            mean[c] = static_cast<float>(m);
             if (n < 2) continue;
             const double variance = std::max(0.0, pixel.sum_squares[c] / n - m * m) / (n - 1);
-            (&error.x)[c] = static_cast<float>(std::sqrt(variance));
+            error[c] = static_cast<float>(std::sqrt(variance));
         }
     }
 }

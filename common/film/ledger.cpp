@@ -41,7 +41,7 @@ nlohmann::ordered_json shapes_json(const ShapeTreeFacts& shapes) {
             {"bytes", shapes.bytes},
             {"build_seconds", shapes.build_seconds},
             {"walks", walks_json(shapes.rays, "groups")},
-            {"feelers", walks_json(shapes.feelers, "groups")}};
+            {"shadow_rays", walks_json(shapes.shadow_rays, "groups")}};
 }
 
 nlohmann::ordered_json structure_json(const StructureFacts& structure) {
@@ -54,7 +54,7 @@ nlohmann::ordered_json structure_json(const StructureFacts& structure) {
             {"depth", structure.depth},
             {"bytes", structure.bytes},
             {"build_seconds", structure.build_seconds},
-            {"feelers", walks_json(structure.feelers, "triangle_blocks")}};
+            {"shadow_rays", walks_json(structure.shadow_rays, "triangle_blocks")}};
 }
 
 } // namespace
@@ -147,7 +147,7 @@ std::string structure_table(const Ledger& ledger) {
     table += walks_head("blocks/ray");
     for (std::size_t b = 0; b < ledger.bounces.size(); ++b)
         table += walks_row(fmt::format("bounce {}", b), ledger.bounces[b].walks);
-    return table + walks_row("feelers", facts.feelers);
+    return table + walks_row("shadow rays", facts.shadow_rays);
 }
 
 // The same of the tree over spheres and quads, for all bounces together.
@@ -158,7 +158,7 @@ std::string shapes_table(const ShapeTreeFacts& facts) {
                facts.spheres, facts.quads, facts.nodes, facts.depth,
                static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds) +
            walks_head("groups/ray") + walks_row("all bounces", facts.rays) +
-           walks_row("feelers", facts.feelers);
+           walks_row("shadow rays", facts.shadow_rays);
 }
 
 } // namespace

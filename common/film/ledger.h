@@ -23,7 +23,7 @@ constexpr int path_ends = 4;
 // One path of one sample, as its thread leaves it: 12 bytes a pixel.
 struct PathRecord {
     std::uint16_t length = 0;      // rays traced: one for each surface touched, one for an escape
-    std::uint16_t shadow_rays = 0; // feelers sent, at most 65535
+    std::uint16_t shadow_rays = 0; // shadow rays sent, at most 65535
     PathEnd end = PathEnd::depth;
     std::uint32_t hits = 0; // fingerprint of the ids of the surfaces touched, in their order
 };
@@ -35,8 +35,8 @@ HD void record_hit(PathRecord& record, int id) {
     record.hits = (record.hits ^ static_cast<std::uint32_t>(id + 2)) * 0x9e3779b1u;
 }
 
-// And this once a shadow feeler.
-HD void record_feeler(PathRecord& record) { record.shadow_rays += record.shadow_rays < 65535; }
+// And this once a shadow ray.
+HD void record_shadow_ray(PathRecord& record) { record.shadow_rays += record.shadow_rays < 65535; }
 
 // What rays visited of a structure.
 struct WalkSums {
@@ -53,7 +53,7 @@ struct StructureFacts {
     int nodes = 0, triangle_blocks = 0, depth = 0;
     std::uint64_t bytes = 0;  // of nodes and blocks
     double build_seconds = 0; // on the host's clock, without the copy to the device
-    WalkSums feelers;         // their walks; those of other rays are counted by bounce
+    WalkSums shadow_rays;     // their walks; those of other rays are counted by bounce
 };
 
 // The tree over spheres and quads, of labs that have one and scenes with many of them.
@@ -62,7 +62,7 @@ struct ShapeTreeFacts {
     int nodes = 0, depth = 0;
     std::uint64_t bytes = 0; // of nodes
     double build_seconds = 0;
-    WalkSums rays, feelers;
+    WalkSums rays, shadow_rays;
 };
 
 struct BounceCounts {

@@ -4,7 +4,7 @@
 // Every bound is relative to the coordinates at hand; none is a length in world units.
 #pragma once
 
-#include "common/geometry/surface.h"
+#include "common/trace/surface.h"
 
 namespace raylab {
 
@@ -19,11 +19,11 @@ HD_HOT Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
     return {offset_point(surface.p, surface.ng, surface.error, wi), wi};
 }
 
-// The shadow feeler from a surface to a point, free of the surfaces at both ends: occluded()
+// The shadow ray from a surface to a point, free of the surfaces at both ends: occluded()
 // answers whether anything lies between. target_error: how far along
 // target_normal rounding can put the target off the surface it lies on; 0 for a point in space.
-// target_normal: unit, on the side on which the feeler arrives. The caller says which side that is:
-// at the rim of a small sphere the rounding of o would decide it wrongly.
+// target_normal: unit, on the side on which the shadow ray arrives. The caller says which side that
+// is: at the rim of a small sphere the rounding of o would decide it wrongly.
 HD_HOT Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
                         Vec3 target_normal) {
     const Vec3 o = offset_point(surface.p, surface.ng, surface.error, target - surface.p);

@@ -8,9 +8,9 @@
 #pragma once
 
 #include "common/light/light_sample.h"
+#include "common/math/features.h"
 #include "common/math/index.h"
 #include "common/sampling/warp.h"
-#include "common/scene/features.h"
 #include "common/scene/view.h"
 
 namespace raylab {

@@ -1,13 +1,13 @@
 // One entry to all lights: choose a point on a given light, and the density of that choice.
 //
-// F is the set of features a kernel is compiled for (scene/features.h): the kinds of light it lacks
+// F is the set of features a kernel is compiled for (math/features.h): the kinds of light it lacks
 // are not in the kernel.
 #pragma once
 
 #include "common/light/environment.h"
 #include "common/light/polygon_light.h"
 #include "common/light/sphere_light.h"
-#include "common/scene/features.h"
+#include "common/math/features.h"
 #include "common/scene/view.h"
 
 namespace raylab {

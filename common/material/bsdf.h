@@ -1,6 +1,6 @@
 // One entry to all materials: sample a direction, evaluate a pair of directions.
 //
-// F is the set of features a kernel is compiled for (scene/features.h): the kinds of material it
+// F is the set of features a kernel is compiled for (math/features.h): the kinds of material it
 // lacks are not in the kernel. Local frame: z is the outward normal, wo.z < 0 means seen from
 // inside. Opaque materials look the same from both sides. reflectance: the material's, or its
 // texture's.
@@ -13,7 +13,7 @@
 #include "common/material/mirror.h"
 #include "common/material/phong.h"
 #include "common/material/rough_dielectric.h"
-#include "common/scene/features.h"
+#include "common/math/features.h"
 
 namespace raylab {
 

@@ -1,4 +1,5 @@
 #include "common/render/renderer.h"
+#include "common/scene/scene_features.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include "common/film/film.h"
 #include "common/film/ledger.h"
+#include "common/math/features.h"
 #include "common/render/accel_settings.h"
 #include "common/render/wavefront_settings.h"
-#include "common/scene/features.h"
 #include "common/scene/scene.h"
 
 #include <memory>

@@ -7,8 +7,8 @@
 
 #include "common/math/vec.h"
 #include "common/sampling/hash.h"
+#include "common/sampling/sampler_kind.h"
 #include "common/sampling/sobol.h"
-#include "common/scene/settings.h"
 
 #include <cstdint>
 
@@ -60,9 +60,10 @@ struct Sampler {
     HD_HOT BounceNumbers get_bounce(std::uint32_t bounce) const;
 };
 
-// Where in its pixel a camera ray goes through, in [0, 1)^2: anywhere, or always the middle.
-HD Vec2 film_point(const RenderSettings& settings, const Sampler& sampler) {
-    return settings.jitter ? sampler.get_2d(dimension::film) : Vec2(0.5f);
+// Where in its pixel a camera ray goes through, in [0, 1)^2: a random point if jitter is on, else
+// the middle.
+HD Vec2 film_point(bool jitter, const Sampler& sampler) {
+    return jitter ? sampler.get_2d(dimension::film) : Vec2(0.5f);
 }
 
 HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t decision) {
@@ -84,9 +85,9 @@ HD_HOT BounceNumbers Sampler::get_bounce(std::uint32_t bounce) const {
             lobe_roulette.x, lobe_roulette.y};
 }
 
-// Whitted's tracer sends a feeler to every light from every node of its ray tree: a pair of their
-// own for each, far from the others by hashing.
-HD std::uint32_t feeler_dimension(std::uint32_t node, int light) {
+// Whitted's tracer sends a shadow ray to every light from every node of its ray tree: a pair of
+// their own for each, far from the others by hashing.
+HD std::uint32_t shadow_ray_dimension(std::uint32_t node, int light) {
     return pcg4d({bounce_dimension(node, dimension::light_point), std::uint32_t(light), 0, 0}).x;
 }
 

@@ -1,6 +1,8 @@
 // How to render: the `render` block of a scene file, with the command line's changes applied.
 #pragma once
 
+#include "common/sampling/sampler_kind.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,7 +10,6 @@
 namespace raylab {
 
 enum class Integrator : int { whitted, path };
-enum class SamplerKind : int { sobol, independent };
 
 // How direct light is found: by sampling lights, by letting BSDF samples hit them, or by both with
 // multiple importance sampling. All three have the same mean.

@@ -14,7 +14,7 @@ Bounds box_around(const Quad& quad);
 
 // Sorts the shapes so that those of one group (sphere_groups.h, quad_groups.h) lie together. Halves
 // of halves of the array are halves in space, so that a tree over groups need but count
-// (labs/04_accel/shape_tree.h).
+// (labs/04_accel/shapes/tree.h).
 void sort_into_groups(std::vector<Sphere>& spheres);
 void sort_into_groups(std::vector<Quad>& quads);
 

@@ -4,7 +4,7 @@
 // generality costs.
 #pragma once
 
-#include "common/scene/features.h"
+#include "common/math/features.h"
 
 namespace raylab {
 

@@ -6,18 +6,11 @@
 #include "common/geometry/quad_group.h"
 #include "common/geometry/shapes.h"
 #include "common/geometry/sphere_group.h"
-#include "common/light/light.h"
 #include "common/material/material.h"
+#include "common/math/array.h"
+#include "common/scene/light.h"
 
 namespace raylab {
-
-// A read-only array in the memory of the machine that runs the kernel.
-template <class T> struct Array {
-    const T* data = nullptr;
-    int size = 0;
-
-    HD const T& operator[](int i) const { return data[i]; }
-};
 
 // What lies outside an image: its repetition, its border's colour, its mirror image and so on.
 enum class Wrap : int { repeat, clamp, mirror };
@@ -38,7 +31,7 @@ struct Environment {
     int width = 0, height = 0;
     float turn = 0; // of the map, in turns; at most half a column either way
     // Over the map's texels, to sample them in proportion to luminance * sin(theta), but none that
-    // glows too rarely (scene/environment_map.h):
+    // glows too rarely (load/environment_map.h):
     Array<Vec3> map;         // width * height radiances, row by row
     Array<float> row_cdf;    // height + 1: P(row < i)
     Array<float> column_cdf; // height * (width + 1): P(column < j | row)

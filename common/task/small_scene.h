@@ -1,7 +1,7 @@
 // Scenes written in a task's test, as the blocks of a scene file, and many samples of a number.
 #pragma once
 
-#include "common/scene/load.h"
+#include "common/load/load.h"
 
 #include <fmt/format.h>
 

@@ -9,27 +9,28 @@
 #pragma once
 
 #include "common/film/ledger.h"
-#include "common/geometry/intersect.h"
 #include "common/geometry/offset.h"
 #include "common/math/index.h"
 #include "common/sampling/sampler.h"
+#include "common/trace/intersect.h"
 #include "common/transport/emission.h"
 #include "common/transport/scatter.h"
 
 namespace raylab {
 
-// A shadow feeler still to be traced, and the light it brings if nothing is in its way.
-struct Feeler {
+// A shadow ray still to be traced, and the light it brings if nothing is in its way.
+struct ShadowRay {
     Ray ray;
     Vec3 light = Vec3(0);
     bool sent = false; // false: no light can come this way, there is nothing to trace
 };
 
-// The feeler to one given light. Its light: f(wo, wi) |cos| L / p_l, times the weight against BSDF
-// sampling. p_choice: the probability that this light was chosen.
+// The shadow ray to one given light. Its light: f(wo, wi) |cos| L / p_l, times the weight against
+// BSDF sampling. p_choice: the probability that this light was chosen.
 template <Features F>
-HD_HOT Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light, float p_choice,
-                        const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u) {
+HD_HOT ShadowRay shadow_ray_to(const SceneView& scene, DirectLight strategy, int light,
+                               float p_choice, const SurfacePoint& surface, Vec3 reflectance,
+                               Vec3 wo, Vec2 u) {
     const LightSample sample = sample_light<F>(scene, light, surface.p, u);
     if (!sample.valid) return {};
     if (strategy == DirectLight::bsdf && !sample.delta) return {};
@@ -47,24 +48,24 @@ HD_HOT Feeler feeler_to(const SceneView& scene, DirectLight strategy, int light,
     return {ray, bsdf.f_cos * sample.radiance * (weight / pdf), true};
 }
 
-// The feeler to one light chosen at random, all with the same probability.
+// The shadow ray to one light chosen at random, all with the same probability.
 template <Features F>
-HD_HOT Feeler feeler_to_any(const SceneView& scene, DirectLight strategy,
-                            const SurfacePoint& surface, Vec3 reflectance, Vec3 wo,
-                            const BounceNumbers& u) {
+HD_HOT ShadowRay shadow_ray_to_any(const SceneView& scene, DirectLight strategy,
+                                   const SurfacePoint& surface, Vec3 reflectance, Vec3 wo,
+                                   const BounceNumbers& u) {
     const int lights = scene.lights.size;
     if (lights == 0 || is_specular<F>(scene.materials[surface.material])) return {};
     const int light = index_of(u.light_choice * lights, lights);
-    return feeler_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo,
-                        u.light_point);
+    return shadow_ray_to<F>(scene, strategy, light, 1.0f / lights, surface, reflectance, wo,
+                            u.light_point);
 }
 
-// What the feeler finds.
+// What the shadow ray finds.
 template <Features F>
-HD Vec3 trace_feeler(const SceneView& scene, const Feeler& feeler, PathRecord& record) {
-    if (!feeler.sent) return Vec3(0);
-    record_feeler(record);
-    return occluded<F>(scene, feeler.ray) ? Vec3(0) : feeler.light;
+HD Vec3 trace_shadow_ray(const SceneView& scene, const ShadowRay& shadow_ray, PathRecord& record) {
+    if (!shadow_ray.sent) return Vec3(0);
+    record_shadow_ray(record);
+    return occluded<F>(scene, shadow_ray.ray) ? Vec3(0) : shadow_ray.light;
 }
 
 // Light from one given light.
@@ -72,17 +73,17 @@ template <Features F>
 HD Vec3 light_from(const SceneView& scene, DirectLight strategy, int light, float p_choice,
                    const SurfacePoint& surface, Vec3 reflectance, Vec3 wo, Vec2 u,
                    PathRecord& record) {
-    const Feeler feeler =
-        feeler_to<F>(scene, strategy, light, p_choice, surface, reflectance, wo, u);
-    return trace_feeler<F>(scene, feeler, record);
+    const ShadowRay shadow_ray =
+        shadow_ray_to<F>(scene, strategy, light, p_choice, surface, reflectance, wo, u);
+    return trace_shadow_ray<F>(scene, shadow_ray, record);
 }
 
 // Light from one light chosen at random.
 template <Features F>
 HD_HOT Vec3 direct_light(const SceneView& scene, DirectLight strategy, const SurfacePoint& surface,
                          Vec3 reflectance, Vec3 wo, const BounceNumbers& u, PathRecord& record) {
-    const Feeler feeler = feeler_to_any<F>(scene, strategy, surface, reflectance, wo, u);
-    return trace_feeler<F>(scene, feeler, record);
+    const ShadowRay shadow_ray = shadow_ray_to_any<F>(scene, strategy, surface, reflectance, wo, u);
+    return trace_shadow_ray<F>(scene, shadow_ray, record);
 }
 
 } // namespace raylab

@@ -2,10 +2,10 @@
 // sampling may have counted the same light already. PBR4e 13.4; Veach 1997, chapter 9.
 #pragma once
 
-#include "common/geometry/surface.h"
 #include "common/light/sample_light.h"
 #include "common/sampling/mis.h"
 #include "common/scene/settings.h"
+#include "common/trace/surface.h"
 
 namespace raylab {
 

@@ -1,7 +1,7 @@
 // Directions on the side of the face on which they are of the shading normal.
 #pragma once
 
-#include "common/geometry/surface.h"
+#include "common/trace/surface.h"
 
 namespace raylab {
 

@@ -21,9 +21,9 @@
 // above n too.
 #pragma once
 
-#include "common/geometry/surface.h"
 #include "common/material/bsdf_sample.h"
 #include "common/material/material.h"
+#include "common/trace/surface.h"
 #include "common/transport/squeeze.h"
 
 namespace raylab {

@@ -2,9 +2,9 @@
 #include "grader/course/lab_sheet.h"
 
 #include "common/cli/files.h"
-#include "common/scene/node.h"
-#include "common/scene/scene_error.h"
-#include "common/scene/suggest.h"
+#include "common/load/node.h"
+#include "common/load/scene_error.h"
+#include "common/load/suggest.h"
 
 #include <fmt/format.h>
 

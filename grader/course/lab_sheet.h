@@ -4,7 +4,7 @@
 //       "tests": "lab02_tasks_test",
 //       "test_files": ["tests/loop_test.cpp", ...],
 //       "scenes": ["cornell", ...],
-//       "withhold": ["common/geometry/intersect.h", ...],
+//       "withhold": ["common/trace/intersect.h", ...],
 //       "tasks": [ { "id": "2.1", "title": "...", "points": 30, "minutes": 90,
 //                    "files": ["path.h"], "tests": ["Task2_1.*"], "needs": [],
 //                    "hints": "2.1 The loop", "picture": "what you should see" }, ... ] }

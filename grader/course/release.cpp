@@ -1,7 +1,7 @@
 #include "grader/course/release.h"
 
 #include "common/cli/files.h"
-#include "common/scene/suggest.h"
+#include "common/load/suggest.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "grader/course/stub_tree.h"
 
 #include "common/cli/files.h"
-#include "common/scene/suggest.h"
+#include "common/load/suggest.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "grader/course/variation.h"
 
 #include "common/cli/files.h"
-#include "common/scene/node.h"
-#include "common/scene/scene_error.h"
+#include "common/load/node.h"
+#include "common/load/scene_error.h"
 
 #include <fmt/format.h>
 

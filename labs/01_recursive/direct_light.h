@@ -1,6 +1,6 @@
-// Shadow feelers: what the light sources send to a surface directly.
+// Shadow rays: what the light sources send to a surface directly.
 //
-//     L = f(wo, wi) |cos(wi)| Le V / pdf,   V: does the feeler reach the light?
+//     L = f(wo, wi) |cos(wi)| Le V / pdf,   V: does the shadow ray reach the light?
 #pragma once
 
 #include "common/geometry/offset.h"
@@ -26,12 +26,12 @@ inline Vec3 light_from(const Path& path, DirectLight strategy, int light, float 
         evaluate(surface, scene.materials[surface.material], reflectance, wo, sample.wi);
     if (is_black(bsdf.f_cos)) return Vec3(0);
 
-    // The environment is infinitely far: its feeler has no end.
-    const Ray feeler = sample.distance == infinity
-                           ? spawn_ray(surface, sample.wi)
-                           : spawn_ray_to(surface, sample.p, sample.error, sample.n);
-    record_feeler(path.record);
-    if (any_hit(scene, feeler)) return Vec3(0);
+    // The environment is infinitely far: its shadow ray has no end.
+    const Ray shadow_ray = sample.distance == infinity
+                               ? spawn_ray(surface, sample.wi)
+                               : spawn_ray_to(surface, sample.p, sample.error, sample.n);
+    record_shadow_ray(path.record);
+    if (any_hit(scene, shadow_ray)) return Vec3(0);
 
     // A BSDF sample might have found the same light: the power heuristic shares between the two,
     // unless only the light sample can (a point light) or may.

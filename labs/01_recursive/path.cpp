@@ -7,7 +7,7 @@
 // and the L on the right is this function again, one surface further on.
 #include "labs/01_recursive/tracer.h"
 
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 #include "labs/01_recursive/direct_light.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"

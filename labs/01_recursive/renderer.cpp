@@ -86,7 +86,7 @@ class RecursiveRenderer final : public Renderer {
         const RenderSettings& settings = scene_.render;
         const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
                                  static_cast<std::uint32_t>(ledger_.samples)};
-        const Ray ray = camera_ray(view_.camera, x, y, film_point(settings, sampler),
+        const Ray ray = camera_ray(view_.camera, x, y, film_point(settings.jitter, sampler),
                                    sampler.get_2d(dimension::lens));
         const Path path = {view_, settings, sampler, record};
         return settings.integrator == Integrator::path

@@ -1,11 +1,11 @@
 // Whitted's recursive ray tracer. Whitted, An Improved Illumination Model for Shaded Display, 1980;
 // the lecture's "Recursive Ray-tracing".
 //
-// Shadow feelers to every light; a mirror asks what it reflects by calling the tracer again, glass
+// Shadow rays to every light; a mirror asks what it reflects by calling the tracer again, glass
 // asks twice. Rays form a tree: depth first comes by itself.
 #include "labs/01_recursive/tracer.h"
 
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 #include "labs/01_recursive/direct_light.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"
@@ -32,7 +32,7 @@ Vec3 trace_whitted(const Path& path, const Ray& ray, int depth, std::uint32_t no
     if (!is_specular<feature::all>(material)) {
         for (int light = 0; light < scene.lights.size; ++light)
             radiance += light_from(path, DirectLight::light, light, 1, surface, reflectance, wo,
-                                   path.sampler.get_2d(feeler_dimension(node, light)));
+                                   path.sampler.get_2d(shadow_ray_dimension(node, light)));
         return radiance;
     }
 

@@ -7,8 +7,8 @@
 // anything yet, and what each surface gives is added times it.
 #pragma once
 
-#include "common/geometry/texture.h"
 #include "common/task/not_implemented.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 
 namespace raylab::lab02 {

@@ -3,6 +3,7 @@
 
 #include "common/device/device_scene.h"
 #include "common/device/launch.h"
+#include "common/scene/scene_features.h"
 #include "common/scene/variants.h"
 #include "labs/02_iterative/path.h"
 #include "labs/02_iterative/wasted_cycles.h"
@@ -52,7 +53,7 @@ __global__ void trace_kernel(SceneView scene, Iteration iteration, FilmPixel* fi
 
     const RenderSettings& settings = iteration.settings;
     const Sampler sampler = sampler_of_path(iteration, pixel);
-    const Vec2 u_film = film_point(settings, sampler);
+    const Vec2 u_film = film_point(settings.jitter, sampler);
     const Vec2 u_lens = F & feature::lens ? sampler.get_2d(dimension::lens) : Vec2(0);
     const Ray ray =
         generate_ray(camera, pixel % camera.width, pixel / camera.width, u_film, u_lens);

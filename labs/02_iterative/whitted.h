@@ -6,9 +6,9 @@
 // more than one ray a level.
 #pragma once
 
-#include "common/geometry/texture.h"
 #include "common/scene/settings.h"
 #include "common/task/not_implemented.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "common/transport/specular_split.h"
 
@@ -23,13 +23,13 @@ struct PendingRay {
     std::uint32_t node;
 };
 
-// Shadow feelers to every light.
+// Shadow rays to every light.
 template <Features F>
 HD Vec3 light_from_all(const SceneView& scene, const SurfacePoint& surface, Vec3 reflectance,
                        Vec3 wo, const Sampler& sampler, std::uint32_t node, PathRecord& record) {
     Vec3 sum(0);
     for (int light = 0; light < scene.lights.size; ++light) {
-        const Vec2 u = sampler.get_2d(feeler_dimension(node, light));
+        const Vec2 u = sampler.get_2d(shadow_ray_dimension(node, light));
         sum +=
             light_from<F>(scene, DirectLight::light, light, 1, surface, reflectance, wo, u, record);
     }

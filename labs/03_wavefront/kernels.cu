@@ -44,18 +44,19 @@ __global__ void intersect_shared_kernel(const Wave* wave, const int* live, int n
     if (i < n) intersect_slot<F, I>(*wave, scene, live[i]);
 }
 
-template <Features F> __global__ void shadow_kernel(const Wave* wave, const int* feelers, int n) {
+template <Features F>
+__global__ void shadow_kernel(const Wave* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
-    if (i < n) shadow_path<F>(*wave, wave->scene, feelers[i]);
+    if (i < n) shadow_path<F>(*wave, wave->scene, shadow_rays[i]);
 }
 
 template <Features F>
-__global__ void shadow_shared_kernel(const Wave* wave, const int* feelers, int n) {
+__global__ void shadow_shared_kernel(const Wave* wave, const int* shadow_rays, int n) {
     extern __shared__ float4 memory[];
     const SceneView scene = geometry_in_shared_memory<F>(wave->scene, memory);
     __syncthreads();
     const std::int64_t i = global_index();
-    if (i < n) shadow_path<F>(*wave, scene, feelers[i]);
+    if (i < n) shadow_path<F>(*wave, scene, shadow_rays[i]);
 }
 
 template <Features F, Integrator I>
@@ -67,7 +68,7 @@ __global__ void shade_kernel(const Wave* wave, const int* slots, int n) {
     if constexpr (I == Integrator::whitted)
         shade_whitted<F>(*wave, slot);
     else if (shade_path<F>(*wave, slot))
-        push(wave->queues.feelers, wave->queues.counters->feelers, slot);
+        push(wave->queues.shadow_rays, wave->queues.counters->shadow_rays, slot);
 }
 
 __device__ void count_end(const Results& results, const PathRecord& record) {

@@ -1,7 +1,7 @@
 // The kernels, as the host launches them.
 #pragma once
 
-#include "common/scene/features.h"
+#include "common/math/features.h"
 #include "common/scene/settings.h"
 #include "labs/03_wavefront/accumulate.h"
 #include "labs/03_wavefront/wave.h"

@@ -1,5 +1,6 @@
 #include "labs/03_wavefront/memory_budget.h"
 
+#include "common/scene/scene_arrays.h"
 #include "labs/03_wavefront/compact.h"
 #include "labs/03_wavefront/pool.h"
 
@@ -8,19 +9,6 @@
 #include <algorithm>
 
 namespace raylab::lab03 {
-
-namespace {
-template <class T> std::size_t bytes(const Array<T>& array) { return array.size * sizeof(T); }
-} // namespace
-
-std::size_t scene_bytes(const SceneView& scene) {
-    return bytes(scene.spheres) + bytes(scene.sphere_groups) + bytes(scene.quads) +
-           bytes(scene.quad_groups) + bytes(scene.planes) + bytes(scene.triangles) +
-           bytes(scene.runs) + bytes(scene.corners) + bytes(scene.corner_colours) +
-           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
-           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
-           bytes(scene.environment.column_cdf);
-}
 
 int branches_of(const RenderSettings& settings) {
     return settings.integrator == Integrator::whitted ? std::max(1, settings.max_depth - 1) : 0;
@@ -46,7 +34,7 @@ MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, 
     const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
     const std::size_t record = records ? sizeof(PathRecord) : 0;
     const std::size_t cache = settings.first_bounce_cache ? sizeof(Hit) : 0;
-    return {scene_bytes(view(scene)), pixels * (sizeof(FilmPixel) + record + cache),
+    return {scene_bytes(scene), pixels * (sizeof(FilmPixel) + record + cache),
             slot_bytes(scene, settings, n)};
 }
 

@@ -17,9 +17,6 @@ struct MemoryNeeds {
     std::size_t slot_bytes;  // for each slot of the pool: path, branches, lists, scan
 };
 
-// What the scene's arrays take.
-std::size_t scene_bytes(const SceneView& scene);
-
 // Room for Whitted's pending rays: one on each level that can split. 0 for path tracing.
 int branches_of(const RenderSettings& settings);
 

@@ -14,7 +14,7 @@
 
 namespace raylab::lab03 {
 
-// A branch of Whitted's tree that waits for its turn. node: see sampler.h, feeler_dimension().
+// A branch of Whitted's tree that waits for its turn. node: see sampler.h, shadow_ray_dimension().
 struct PendingRay {
     Vec3 origin, direction, throughput;
     int depth; // surfaces touched before
@@ -36,11 +36,11 @@ struct PoolView {
     Vec3* direction;
     Hit* hit;           // 16 bytes, read and written as one
     std::uint8_t* kind; // of the material that was hit; no_kind: nothing to shade
-    // The shadow feeler on its way.
-    Vec3* feeler_origin;
-    Vec3* feeler_direction;
-    float* feeler_t_max;
-    Vec3* feeler_light; // what the path gains if the feeler meets nothing
+    // The shadow ray on its way.
+    Vec3* shadow_ray_origin;
+    Vec3* shadow_ray_direction;
+    float* shadow_ray_t_max;
+    Vec3* shadow_ray_light; // what the path gains if the shadow ray meets nothing
     // Whitted's tree: its branches still to be traced. Branch k of slot s is stack[k capacity + s].
     std::uint32_t* node;
     int* pending;
@@ -70,8 +70,8 @@ class Pool {
     Pool(int capacity, int branches)
         : pixel_(capacity), bounce_(capacity), throughput_(capacity), radiance_(capacity),
           bsdf_pdf_(capacity), alive_(capacity), record_(capacity), origin_(capacity),
-          direction_(capacity), hit_(capacity), kind_(capacity), feeler_origin_(capacity),
-          feeler_direction_(capacity), feeler_t_max_(capacity), feeler_light_(capacity),
+          direction_(capacity), hit_(capacity), kind_(capacity), shadow_ray_origin_(capacity),
+          shadow_ray_direction_(capacity), shadow_ray_t_max_(capacity), shadow_ray_light_(capacity),
           node_(branches > 0 ? capacity : 0), pending_(branches > 0 ? capacity : 0),
           stack_(static_cast<std::size_t>(branches) * capacity), capacity_(capacity) {}
 
@@ -87,10 +87,10 @@ class Pool {
                 direction_.data(),
                 hit_.data(),
                 kind_.data(),
-                feeler_origin_.data(),
-                feeler_direction_.data(),
-                feeler_t_max_.data(),
-                feeler_light_.data(),
+                shadow_ray_origin_.data(),
+                shadow_ray_direction_.data(),
+                shadow_ray_t_max_.data(),
+                shadow_ray_light_.data(),
                 node_.data(),
                 pending_.data(),
                 stack_.data(),
@@ -107,9 +107,9 @@ class Pool {
     DeviceArray<Vec3> origin_, direction_;
     DeviceArray<Hit> hit_;
     DeviceArray<std::uint8_t> kind_;
-    DeviceArray<Vec3> feeler_origin_, feeler_direction_;
-    DeviceArray<float> feeler_t_max_;
-    DeviceArray<Vec3> feeler_light_;
+    DeviceArray<Vec3> shadow_ray_origin_, shadow_ray_direction_;
+    DeviceArray<float> shadow_ray_t_max_;
+    DeviceArray<Vec3> shadow_ray_light_;
     DeviceArray<std::uint32_t> node_;
     DeviceArray<int> pending_;
     DeviceArray<PendingRay> stack_;

@@ -6,8 +6,8 @@
 // PBR4e 13.2 and 14.1; Laine, Karras and Aila 2013, section 3.
 #pragma once
 
-#include "common/geometry/texture.h"
 #include "common/task/not_implemented.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "labs/03_wavefront/wave.h"
 
@@ -23,7 +23,7 @@ HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     return true;
 }
 
-// Returns whether the slot has a shadow feeler to be traced.
+// Returns whether the slot has a shadow ray to be traced.
 template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     //[ task 3.1
     const SceneView& scene = wave.scene;
@@ -48,14 +48,14 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
 
     // What it would scatter of a light source, if nothing is in the way.
     const BounceNumbers u = sampler_of(wave, slot).get_bounce(bounce);
-    const Feeler feeler =
-        feeler_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
-    if (feeler.sent) {
-        pool.feeler_origin[slot] = feeler.ray.o;
-        pool.feeler_direction[slot] = feeler.ray.d;
-        pool.feeler_t_max[slot] = feeler.ray.t_max;
-        pool.feeler_light[slot] = throughput * feeler.light;
-        record_feeler(pool.record[slot]);
+    const ShadowRay shadow_ray =
+        shadow_ray_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
+    if (shadow_ray.sent) {
+        pool.shadow_ray_origin[slot] = shadow_ray.ray.o;
+        pool.shadow_ray_direction[slot] = shadow_ray.ray.d;
+        pool.shadow_ray_t_max[slot] = shadow_ray.ray.t_max;
+        pool.shadow_ray_light[slot] = throughput * shadow_ray.light;
+        record_shadow_ray(pool.record[slot]);
     }
 
     // A new direction, and the share of light that comes back from it.
@@ -74,7 +74,7 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
         pool.bsdf_pdf[slot] = scattered.specular ? delta_pdf : scattered.pdf;
         pool.bounce[slot] = bounce + 1;
     }
-    return feeler.sent;
+    return shadow_ray.sent;
     //| not_implemented("3.1", "shade_path()");
     //| end_path(wave.pool, slot, PathEnd::absorbed);
     //| return false;

@@ -1,11 +1,11 @@
-// Whitted's shading in a wavefront: feelers to every light, and both ways on from glass.
+// Whitted's shading in a wavefront: shadow rays to every light, and both ways on from glass.
 //
-// A surface sends as many feelers as there are lights, all summed before they are weighted. They
-// are traced here, where the surface is at hand, and not in a stage of their own: the pool has room
-// for one feeler a path. Whitted 1980.
+// A surface sends as many shadow rays as there are lights, all summed before they are weighted.
+// They are traced here, where the surface is at hand, and not in a stage of their own: the pool has
+// room for one shadow ray a path. Whitted 1980.
 #pragma once
 
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "common/transport/specular_split.h"
 #include "labs/03_wavefront/branches.h"
@@ -19,7 +19,7 @@ HD Vec3 light_from_all(const Wave& wave, int slot, const SurfacePoint& surface, 
     const Sampler sampler = sampler_of(wave, slot);
     Vec3 sum(0);
     for (int light = 0; light < scene.lights.size; ++light) {
-        const Vec2 u = sampler.get_2d(feeler_dimension(wave.pool.node[slot], light));
+        const Vec2 u = sampler.get_2d(shadow_ray_dimension(wave.pool.node[slot], light));
         sum += light_from<F>(scene, DirectLight::light, light, 1, surface, reflectance, wo, u,
                              wave.pool.record[slot]);
     }

@@ -7,7 +7,7 @@
 // further blocks, and the fewer warps a multiprocessor has to choose from, the longer it waits.
 #pragma once
 
-#include "common/scene/features.h"
+#include "common/math/features.h"
 #include "common/scene/view.h"
 #include "common/simt/cuda.h"
 #include "common/task/not_implemented.h"

@@ -1,9 +1,9 @@
-// Stage 2: the closest hit of every ray in the pool; and stage 5, its shadow feelers.
+// Stage 2: the closest hit of every ray in the pool; and stage 5, its shadow rays.
 //
 // These two are the only stages that read the scene's geometry, and the only ones without shading.
 #pragma once
 
-#include "common/geometry/intersect.h"
+#include "common/trace/intersect.h"
 #include "common/transport/emission.h"
 #include "labs/03_wavefront/branches.h"
 
@@ -55,13 +55,13 @@ HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
     //]
 }
 
-// The feeler's light joins the path's if nothing is in its way.
+// The shadow ray's light joins the path's if nothing is in its way.
 template <Features F> HD void shadow_path(const Wave& wave, const SceneView& scene, int slot) {
     //[ task 3.1
     const PoolView& pool = wave.pool;
-    const Ray feeler = {pool.feeler_origin[slot], pool.feeler_direction[slot],
-                        pool.feeler_t_max[slot]};
-    if (!occluded<F>(scene, feeler)) pool.radiance[slot] += pool.feeler_light[slot];
+    const Ray shadow_ray = {pool.shadow_ray_origin[slot], pool.shadow_ray_direction[slot],
+                            pool.shadow_ray_t_max[slot]};
+    if (!occluded<F>(scene, shadow_ray)) pool.radiance[slot] += pool.shadow_ray_light[slot];
     //| not_implemented("3.1", "shadow_path()");
     //]
 }

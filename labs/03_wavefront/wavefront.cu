@@ -34,7 +34,7 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int poo
       pixels_(scene.camera.width * scene.camera.height), most_bounces_(bounces_of(scene)),
       in_flight_(blocks_in_flight(kernels_.intersect, machine.block_size, geometry_bytes_)),
       pool_(pool_paths, branches_of(scene.render)), wave_(1), live_(pool_paths), spare_(pool_paths),
-      compaction_(settings_.scan, pool_paths, machine.block_size), feelers_(pool_paths),
+      compaction_(settings_.scan, pool_paths, machine.block_size), shadow_rays_(pool_paths),
       counters_(1), next_pixel_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0),
       results_(pixels_, is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {
     if (settings_.sort != MaterialSort::queues) return;
@@ -47,7 +47,7 @@ void Wavefront::begin_sample(std::uint32_t sample) {
     Wave wave{scene_.view(), host_scene_.render, sample, pool_.view(), {}, {}};
     for (int kind = 0; kind < material_kinds; ++kind)
         wave.queues.kind[kind] = kind_queues_[kind].data();
-    wave.queues.feelers = feelers_.data();
+    wave.queues.shadow_rays = shadow_rays_.data();
     wave.queues.counters = counters_.data();
     wave.first_bounce = {first_hits_.data(), sample > 0};
     wave_.assign({&wave, 1});
@@ -106,7 +106,7 @@ void Wavefront::shade() {
 }
 
 void Wavefront::shadow() {
-    launch(Stage::shadow, kernels_.shadow, feelers_.data(), read_counters().feelers,
+    launch(Stage::shadow, kernels_.shadow, shadow_rays_.data(), read_counters().shadow_rays,
            geometry_bytes_);
 }
 

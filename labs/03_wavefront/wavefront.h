@@ -63,7 +63,7 @@ class Wavefront {
     int alive_ = 0;                 // of those, with a path alive
     Compaction compaction_;
     std::array<DeviceArray<int>, material_kinds> kind_queues_;
-    DeviceArray<int> feelers_;
+    DeviceArray<int> shadow_rays_;
     DeviceArray<Counters> counters_;
     DeviceArray<int> next_pixel_; // the first without a path yet, of paths that regenerate
     DeviceArray<Hit> first_hits_; // a pixel each, or none

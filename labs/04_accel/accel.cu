@@ -1,12 +1,12 @@
 // Building is the host's work, apart from kernels that builders launch; what is built is copied.
 #include "labs/04_accel/accel.h"
 
-#include "labs/04_accel/bvh_lbvh.h"
-#include "labs/04_accel/bvh_sah.h"
-#include "labs/04_accel/kd_build.h"
-#include "labs/04_accel/kd_ropes.h"
-#include "labs/04_accel/leaf_blocks.h"
-#include "labs/04_accel/wide_tree.h"
+#include "labs/04_accel/bvh/sah.h"
+#include "labs/04_accel/kd/build.h"
+#include "labs/04_accel/kd/ropes.h"
+#include "labs/04_accel/lbvh/build.h"
+#include "labs/04_accel/leaf/leaf_blocks.h"
+#include "labs/04_accel/wide/tree.h"
 
 #include <algorithm>
 #include <chrono>

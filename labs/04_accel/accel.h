@@ -7,7 +7,7 @@
 #include "common/render/renderer.h"
 #include "common/scene/scene.h"
 #include "labs/04_accel/choose_accel.h"
-#include "labs/04_accel/shape_tree.h"
+#include "labs/04_accel/shapes/tree.h"
 #include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {

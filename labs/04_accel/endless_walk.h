@@ -2,8 +2,8 @@
 //
 // Every step of a walk must bring it nearer to its end: deeper, or on to what is still unvisited.
 // One mistake in a link and it goes round in circles, on a GPU for ever, with nothing on the
-// screen. So walks count their nodes (query.h, most_steps), and the first that has no end stops the
-// render.
+// screen. So walks count their nodes (leaf/query.h, most_steps), and the first that has no end
+// stops the render.
 #pragma once
 
 #include "common/film/ledger.h"

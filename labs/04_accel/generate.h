@@ -12,10 +12,10 @@ HD void generate_path(const Wave& wave, int slot, std::uint32_t pixel) {
     const Camera& camera = wave.scene.camera;
     pool.pixel[slot] = pixel;
     const Sampler sampler = sampler_of(wave, slot);
-    const Ray ray =
-        generate_ray(camera, static_cast<int>(pixel % camera.width),
-                     static_cast<int>(pixel / camera.width), film_point(wave.settings, sampler),
-                     camera.lens_radius > 0 ? sampler.get_2d(dimension::lens) : Vec2(0));
+    const Ray ray = generate_ray(
+        camera, static_cast<int>(pixel % camera.width), static_cast<int>(pixel / camera.width),
+        film_point(wave.settings.jitter, sampler),
+        camera.lens_radius > 0 ? sampler.get_2d(dimension::lens) : Vec2(0));
     pool.origin[slot] = ray.o;
     pool.direction[slot] = ray.d;
     pool.bounce[slot] = 0;

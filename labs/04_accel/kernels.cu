@@ -12,8 +12,8 @@ namespace raylab::lab04 {
 
 namespace {
 
-__device__ void queue_feeler(const Wave& wave, int slot) {
-    push(wave.feelers, *wave.feelers_sent, slot);
+__device__ void queue_shadow_ray(const Wave& wave, int slot) {
+    push(wave.shadow_rays, *wave.shadow_rays_sent, slot);
 }
 
 // A path that has left, or a branch of a tree that comes to the next only now, has no hit to shade.
@@ -28,9 +28,9 @@ __global__ void intersect_kernel(const Wave* wave, const int* live, int n) {
 }
 
 template <Features F, Integrator I>
-__global__ void shadow_kernel(const Wave* wave, const int* feelers, int n) {
+__global__ void shadow_kernel(const Wave* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
-    if (i < n) shadow_path<F, I>(*wave, feelers[i]);
+    if (i < n) shadow_path<F, I>(*wave, shadow_rays[i]);
 }
 
 template <Features F, Integrator I>
@@ -40,19 +40,19 @@ __global__ void shade_kernel(const Wave* wave, const int* live, int n) {
     if constexpr (I == Integrator::whitted)
         shade_whitted<F>(*wave, live[i]);
     else if (shade_path<F>(*wave, live[i]))
-        queue_feeler(*wave, live[i]);
+        queue_shadow_ray(*wave, live[i]);
 }
 
 template <Features F>
-__global__ void feelers_kernel(const Wave* wave, const int* live, int n, int light) {
+__global__ void shadow_rays_kernel(const Wave* wave, const int* live, int n, int light) {
     const std::int64_t i = global_index();
-    if (i < n && has_surface(*wave, live[i]) && send_whitted_feeler<F>(*wave, live[i], light))
-        queue_feeler(*wave, live[i]);
+    if (i < n && has_surface(*wave, live[i]) && send_whitted_shadow_ray<F>(*wave, live[i], light))
+        queue_shadow_ray(*wave, live[i]);
 }
 
 template <Features F, Integrator I> StageKernels kernels_of() {
     StageKernels kernels{intersect_kernel<F, I>, shade_kernel<F, I>, shadow_kernel<F, I>, nullptr};
-    if constexpr (I == Integrator::whitted) kernels.feelers = feelers_kernel<F>;
+    if constexpr (I == Integrator::whitted) kernels.shadow_rays = shadow_rays_kernel<F>;
     return kernels;
 }
 

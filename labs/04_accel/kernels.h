@@ -1,7 +1,7 @@
 // The kernels that do not walk, as the host launches them.
 #pragma once
 
-#include "common/scene/features.h"
+#include "common/math/features.h"
 #include "common/scene/settings.h"
 #include "labs/04_accel/accumulate.h"
 #include "labs/04_accel/wave.h"
@@ -16,9 +16,9 @@ struct StageKernels {
     StageKernel* intersect;
     StageKernel* shade;
     StageKernel* shadow;
-    // Whitted's feelers to one of the lights; null for path tracing, which sends its own from
+    // Whitted's shadow rays to one of the lights; null for path tracing, which sends its own from
     // shade.
-    void (*feelers)(const Wave* wave, const int* slots, int n, int light);
+    void (*shadow_rays)(const Wave* wave, const int* slots, int n, int light);
 };
 
 StageKernels choose_kernels(Features features, Integrator integrator);

@@ -1,29 +1,15 @@
 #include "labs/04_accel/memory_budget.h"
 
+#include "common/scene/scene_arrays.h"
 #include "labs/04_accel/compact.h"
+#include "labs/04_accel/leaf/query.h"
 #include "labs/04_accel/pool.h"
-#include "labs/04_accel/query.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace raylab::lab04 {
-
-namespace {
-
-template <class T> std::size_t bytes(const Array<T>& array) { return array.size * sizeof(T); }
-
-std::size_t scene_bytes(const SceneView& scene) {
-    return bytes(scene.spheres) + bytes(scene.sphere_groups) + bytes(scene.quads) +
-           bytes(scene.quad_groups) + bytes(scene.planes) + bytes(scene.triangles) +
-           bytes(scene.runs) + bytes(scene.corners) + bytes(scene.corner_colours) +
-           bytes(scene.materials) + bytes(scene.lights) + bytes(scene.textures) +
-           bytes(scene.texels) + bytes(scene.environment.map) + bytes(scene.environment.row_cdf) +
-           bytes(scene.environment.column_cdf);
-}
-
-} // namespace
 
 int branches_of(const RenderSettings& settings) {
     return settings.integrator == Integrator::whitted ? std::max(1, settings.max_depth - 1) : 0;
@@ -39,7 +25,7 @@ std::size_t slot_bytes(const Scene& scene, std::int64_t n) {
 MemoryNeeds memory_needs(const Scene& scene, std::size_t structure_bytes, std::int64_t n,
                          bool records) {
     const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
-    return {scene_bytes(view(scene)), structure_bytes,
+    return {scene_bytes(scene), structure_bytes,
             pixels * (sizeof(FilmPixel) + (records ? sizeof(PathRecord) : 0)),
             slot_bytes(scene, n)};
 }

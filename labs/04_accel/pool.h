@@ -13,7 +13,7 @@
 
 namespace raylab::lab04 {
 
-// A branch of Whitted's tree that waits for its turn. node: see sampler.h, feeler_dimension().
+// A branch of Whitted's tree that waits for its turn. node: see sampler.h, shadow_ray_dimension().
 struct PendingRay {
     Vec3 origin, direction, throughput;
     int depth; // surfaces touched before
@@ -34,14 +34,14 @@ struct PoolView {
     Vec3* origin;
     Vec3* direction;
     Hit* hit;
-    // The shadow feeler on its way.
-    Vec3* feeler_origin;
-    Vec3* feeler_direction;
-    float* feeler_t_max;
-    Vec3* feeler_light;    // what is gained if the feeler meets nothing
-    std::uint8_t* blocked; // by a triangle
-    // Whitted's tree: the light that its feelers found here, and its branches still to be traced.
-    // Branch k of slot s is stack[k capacity + s].
+    // The shadow ray on its way.
+    Vec3* shadow_ray_origin;
+    Vec3* shadow_ray_direction;
+    float* shadow_ray_t_max;
+    Vec3* shadow_ray_light; // what is gained if the shadow ray meets nothing
+    std::uint8_t* blocked;  // by a triangle
+    // Whitted's tree: the light that its shadow rays found here, and its branches still to be
+    // traced. Branch k of slot s is stack[k capacity + s].
     Vec3* direct;
     std::uint32_t* node;
     int* pending;
@@ -70,23 +70,33 @@ class Pool {
     Pool(int capacity, int branches)
         : pixel_(capacity), bounce_(capacity), throughput_(capacity), radiance_(capacity),
           bsdf_pdf_(capacity), alive_(capacity), record_(capacity), origin_(capacity),
-          direction_(capacity), hit_(capacity), feeler_origin_(capacity),
-          feeler_direction_(capacity), feeler_t_max_(capacity), feeler_light_(capacity),
+          direction_(capacity), hit_(capacity), shadow_ray_origin_(capacity),
+          shadow_ray_direction_(capacity), shadow_ray_t_max_(capacity), shadow_ray_light_(capacity),
           blocked_(capacity), direct_(branches > 0 ? capacity : 0),
           node_(branches > 0 ? capacity : 0), pending_(branches > 0 ? capacity : 0),
           stack_(static_cast<std::size_t>(branches) * capacity), capacity_(capacity) {}
 
     PoolView view() {
-        return {pixel_.data(),         bounce_.data(),
-                throughput_.data(),    radiance_.data(),
-                bsdf_pdf_.data(),      alive_.data(),
-                record_.data(),        origin_.data(),
-                direction_.data(),     hit_.data(),
-                feeler_origin_.data(), feeler_direction_.data(),
-                feeler_t_max_.data(),  feeler_light_.data(),
-                blocked_.data(),       direct_.data(),
-                node_.data(),          pending_.data(),
-                stack_.data(),         capacity_};
+        return {pixel_.data(),
+                bounce_.data(),
+                throughput_.data(),
+                radiance_.data(),
+                bsdf_pdf_.data(),
+                alive_.data(),
+                record_.data(),
+                origin_.data(),
+                direction_.data(),
+                hit_.data(),
+                shadow_ray_origin_.data(),
+                shadow_ray_direction_.data(),
+                shadow_ray_t_max_.data(),
+                shadow_ray_light_.data(),
+                blocked_.data(),
+                direct_.data(),
+                node_.data(),
+                pending_.data(),
+                stack_.data(),
+                capacity_};
     }
 
   private:
@@ -98,9 +108,9 @@ class Pool {
     DeviceArray<PathRecord> record_;
     DeviceArray<Vec3> origin_, direction_;
     DeviceArray<Hit> hit_;
-    DeviceArray<Vec3> feeler_origin_, feeler_direction_;
-    DeviceArray<float> feeler_t_max_;
-    DeviceArray<Vec3> feeler_light_;
+    DeviceArray<Vec3> shadow_ray_origin_, shadow_ray_direction_;
+    DeviceArray<float> shadow_ray_t_max_;
+    DeviceArray<Vec3> shadow_ray_light_;
     DeviceArray<std::uint8_t> blocked_;
     DeviceArray<Vec3> direct_;
     DeviceArray<std::uint32_t> node_;
@@ -111,17 +121,18 @@ class Pool {
 
 HD Ray ray_of(const PoolView& pool, int slot) { return {pool.origin[slot], pool.direction[slot]}; }
 
-HD Ray feeler_of(const PoolView& pool, int slot) {
-    return {pool.feeler_origin[slot], pool.feeler_direction[slot], pool.feeler_t_max[slot]};
+HD Ray shadow_ray_of(const PoolView& pool, int slot) {
+    return {pool.shadow_ray_origin[slot], pool.shadow_ray_direction[slot],
+            pool.shadow_ray_t_max[slot]};
 }
 
 // light: what is gained if nothing is in its way.
-HD void send_feeler(const PoolView& pool, int slot, const Ray& feeler, Vec3 light) {
-    pool.feeler_origin[slot] = feeler.o;
-    pool.feeler_direction[slot] = feeler.d;
-    pool.feeler_t_max[slot] = feeler.t_max;
-    pool.feeler_light[slot] = light;
-    record_feeler(pool.record[slot]);
+HD void send_shadow_ray(const PoolView& pool, int slot, const Ray& shadow_ray, Vec3 light) {
+    pool.shadow_ray_origin[slot] = shadow_ray.o;
+    pool.shadow_ray_direction[slot] = shadow_ray.d;
+    pool.shadow_ray_t_max[slot] = shadow_ray.t_max;
+    pool.shadow_ray_light[slot] = light;
+    record_shadow_ray(pool.record[slot]);
 }
 
 // The path in this slot is done: no stage touches it again, until its colour is accumulated.

@@ -2,7 +2,7 @@
 //
 // trace_batch() is lab 03's loop with one stage more: rays walk through a structure over the
 // triangles, and through another over spheres and quads where there are many, before they meet the
-// other shapes, and so do shadow feelers.
+// other shapes, and so do shadow rays.
 #include "labs/04_accel/renderer.h"
 
 #include "labs/04_accel/endless_walk.h"
@@ -67,7 +67,7 @@ class AccelRenderer final : public Renderer {
             wave.walk(bounce); // 3. ONE bounce of every ray, through the triangles,
             wave.intersect();  //    past the other shapes,
             wave.shade();
-            wave.trace_feelers();      //    and the next rays recorded in the pool.
+            wave.trace_shadow_rays();  //    and the next rays recorded in the pool.
             wave.remove_ended(bounce); // 4. Terminated rays leave the pool.
         }                              // 5. Repeat.
         wave.accumulate(n);

@@ -27,11 +27,12 @@ void ResultArrays::write_to(Ledger& ledger) const {
     if (ledger.shapes) {
         ledger.shapes->rays = sums(0, walks[bounces() + 1]);
         for (const BounceCounts& bounce : launched_) ledger.shapes->rays.rays += bounce.walks.rays;
-        ledger.shapes->feelers = sums(feelers_walked_, walks[bounces() + 2]);
+        ledger.shapes->shadow_rays = sums(shadow_rays_walked_, walks[bounces() + 2]);
     }
     for (int bounce = 0; bounce < bounces(); ++bounce)
         ledger.bounces[bounce].walks = sums(launched_[bounce].walks.rays, walks[bounce]);
-    if (ledger.structure) ledger.structure->feelers = sums(feelers_walked_, walks[bounces()]);
+    if (ledger.structure)
+        ledger.structure->shadow_rays = sums(shadow_rays_walked_, walks[bounces()]);
 }
 
 } // namespace raylab::lab04

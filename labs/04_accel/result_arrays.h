@@ -24,14 +24,14 @@ class ResultArrays {
 
     // The host's part of a bounce's account: lanes, and how many rays walked.
     BounceCounts& of_bounce(int bounce) { return launched_[row_of(bounce)]; }
-    std::uint64_t& feelers_walked() { return feelers_walked_; }
+    std::uint64_t& shadow_rays_walked() { return shadow_rays_walked_; }
 
-    // Where kernels add up what the walks of a bounce visited, and the walks of all feelers.
+    // Where kernels add up what the walks of a bounce visited, and the walks of all shadow rays.
     WalkTally* walks_of_bounce(int bounce) { return walks_.data() + row_of(bounce); }
-    WalkTally* walks_of_feelers() { return walks_.data() + bounces(); }
+    WalkTally* walks_of_shadow_rays() { return walks_.data() + bounces(); }
     // The same through the tree over spheres and quads, all bounces together.
     WalkTally* walks_past_shapes() { return walks_.data() + bounces() + 1; }
-    WalkTally* feelers_past_shapes() { return walks_.data() + bounces() + 2; }
+    WalkTally* shadow_rays_past_shapes() { return walks_.data() + bounces() + 2; }
 
     // The film from first_pixel on, as many pixels as `pixels` has.
     void read_film(std::size_t first_pixel, std::vector<FilmPixel>& pixels) const {
@@ -53,7 +53,7 @@ class ResultArrays {
     DeviceArray<unsigned long long> shadow_rays_;
     DeviceArray<WalkTally> walks_; // a row a bounce, and one each for the three that follow these
     std::vector<BounceCounts> launched_;
-    std::uint64_t feelers_walked_ = 0;
+    std::uint64_t shadow_rays_walked_ = 0;
 };
 
 } // namespace raylab::lab04

@@ -4,7 +4,7 @@
 // itself it writes into the pool. PBR4e 13.2 and 14.1; Laine, Karras and Aila 2013, section 3.
 #pragma once
 
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "labs/04_accel/wave.h"
 
@@ -20,7 +20,7 @@ HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     return true;
 }
 
-// Returns whether the slot has a shadow feeler to be traced.
+// Returns whether the slot has a shadow ray to be traced.
 template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     const SceneView& scene = wave.scene;
     const RenderSettings& settings = wave.settings;
@@ -44,9 +44,9 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
 
     // What it would scatter of a light source, if nothing is in the way.
     const BounceNumbers u = sampler_of(wave, slot).get_bounce(bounce);
-    const Feeler feeler =
-        feeler_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
-    if (feeler.sent) send_feeler(pool, slot, feeler.ray, throughput * feeler.light);
+    const ShadowRay shadow_ray =
+        shadow_ray_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
+    if (shadow_ray.sent) send_shadow_ray(pool, slot, shadow_ray.ray, throughput * shadow_ray.light);
 
     // A new direction, and the share of light that comes back from it.
     const BsdfSample scattered =
@@ -64,7 +64,7 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
         pool.bsdf_pdf[slot] = scattered.specular ? delta_pdf : scattered.pdf;
         pool.bounce[slot] = bounce + 1;
     }
-    return feeler.sent;
+    return shadow_ray.sent;
 }
 
 } // namespace raylab::lab04

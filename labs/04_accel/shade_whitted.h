@@ -1,12 +1,12 @@
-// Whitted's shading in a wavefront: feelers to every light, and both ways on from glass.
+// Whitted's shading in a wavefront: shadow rays to every light, and both ways on from glass.
 //
-// A surface sends as many feelers as there are lights, all summed before they are weighted. In lab
-// 03 they were traced where they were shaded; now each is walked by a kernel of its own, so the
-// lights take turns: a feeler to the first from every surface, walked and settled, then to the
+// A surface sends as many shadow rays as there are lights, all summed before they are weighted. In
+// lab 03 they were traced where they were shaded; now each is walked by a kernel of its own, so the
+// lights take turns: a shadow ray to the first from every surface, walked and settled, then to the
 // second. Then the surface is shaded with the sum. Whitted 1980.
 #pragma once
 
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "common/transport/specular_split.h"
 #include "labs/04_accel/branches.h"
@@ -27,8 +27,8 @@ template <Features F> HD const Material& material_at(const SceneView& scene, con
     return scene.materials[material];
 }
 
-// Sends the feeler to one of the lights. Returns whether there is one to be traced.
-template <Features F> HD bool send_whitted_feeler(const Wave& wave, int slot, int light) {
+// Sends the shadow ray to one of the lights. Returns whether there is one to be traced.
+template <Features F> HD bool send_whitted_shadow_ray(const Wave& wave, int slot, int light) {
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;
     const Material& material = material_at<F>(scene, pool.hit[slot]);
@@ -36,11 +36,11 @@ template <Features F> HD bool send_whitted_feeler(const Wave& wave, int slot, in
     const Ray ray = ray_of(pool, slot);
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Vec3 reflectance = reflectance_at<F>(scene, material, surface);
-    const Vec2 u = sampler_of(wave, slot).get_2d(feeler_dimension(pool.node[slot], light));
-    const Feeler feeler =
-        feeler_to<F>(scene, DirectLight::light, light, 1, surface, reflectance, -ray.d, u);
-    if (feeler.sent) send_feeler(pool, slot, feeler.ray, feeler.light);
-    return feeler.sent;
+    const Vec2 u = sampler_of(wave, slot).get_2d(shadow_ray_dimension(pool.node[slot], light));
+    const ShadowRay shadow_ray =
+        shadow_ray_to<F>(scene, DirectLight::light, light, 1, surface, reflectance, -ray.d, u);
+    if (shadow_ray.sent) send_shadow_ray(pool, slot, shadow_ray.ray, shadow_ray.light);
+    return shadow_ray.sent;
 }
 
 template <Features F> HD void shade_whitted(const Wave& wave, int slot) {

@@ -16,13 +16,13 @@ enum class Stage : int {
     walk,
     intersect,
     shade,
-    walk_feelers,
+    walk_shadow_rays,
     shadow,
     compact,
     accumulate
 };
-inline constexpr std::array stage_names = {"generate",     "walk",   "intersect", "shade",
-                                           "walk feelers", "shadow", "compact",   "accumulate"};
+inline constexpr std::array stage_names = {"generate",         "walk",   "intersect", "shade",
+                                           "walk shadow rays", "shadow", "compact",   "accumulate"};
 
 class StageClock {
   public:

@@ -1,11 +1,11 @@
 // The structure over the triangles as kernels see it, and what walks through it leave behind.
 #pragma once
 
-#include "labs/04_accel/bvh.h"
-#include "labs/04_accel/kd_tree.h"
-#include "labs/04_accel/query.h"
-#include "labs/04_accel/skip_tree.h"
-#include "labs/04_accel/wide_bvh.h"
+#include "labs/04_accel/bvh/bvh.h"
+#include "labs/04_accel/bvh/skip_tree.h"
+#include "labs/04_accel/kd/tree.h"
+#include "labs/04_accel/leaf/query.h"
+#include "labs/04_accel/wide/wide_bvh.h"
 
 namespace raylab::lab04 {
 

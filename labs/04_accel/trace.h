@@ -1,11 +1,11 @@
 // The shapes in no tree, and what follows from a hit.
 //
-// Walks have left the closest hit so far in the pool, and whether something blocks the feeler; here
-// the other shapes are tested against that. All of them: planes are infinite, and of spheres and
-// quads there are few, or they have a tree too.
+// Walks have left the closest hit so far in the pool, and whether something blocks the shadow ray;
+// here the other shapes are tested against that. All of them: planes are infinite, and of spheres
+// and quads there are few, or they have a tree too.
 #pragma once
 
-#include "common/geometry/intersect.h"
+#include "common/trace/intersect.h"
 #include "common/transport/emission.h"
 #include "labs/04_accel/branches.h"
 
@@ -47,13 +47,14 @@ template <Features F, Integrator I> HD void intersect_path(const Wave& wave, int
         end_path(pool, slot, PathEnd::escaped);
 }
 
-// The feeler's light joins the path's, or Whitted's sum over the lights, if nothing is in its way.
+// The shadow ray's light joins the path's, or Whitted's sum over the lights, if nothing is in its
+// way.
 template <Features F, Integrator I> HD void shadow_path(const Wave& wave, int slot) {
     const PoolView& pool = wave.pool;
     if (pool.blocked[slot]) return;
-    if (occluded<without_triangles(F)>(wave.scene, feeler_of(pool, slot))) return;
+    if (occluded<without_triangles(F)>(wave.scene, shadow_ray_of(pool, slot))) return;
     Vec3& gains = I == Integrator::whitted ? pool.direct[slot] : pool.radiance[slot];
-    gains += pool.feeler_light[slot];
+    gains += pool.shadow_ray_light[slot];
 }
 
 } // namespace raylab::lab04

@@ -45,12 +45,13 @@ __global__ void walk_closest_kernel(const Wave* wave, const int* live, int n) {
     report(*wave, i, slot, query);
 }
 
-// Whether a triangle is in the way of each feeler.
-template <class Walk> __global__ void walk_any_kernel(const Wave* wave, const int* feelers, int n) {
+// Whether a triangle is in the way of each shadow ray.
+template <class Walk>
+__global__ void walk_any_kernel(const Wave* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
-    const int slot = feelers[i];
-    AnyHit query(wave->structure.leaves, feeler_of(wave->pool, slot));
+    const int slot = shadow_rays[i];
+    AnyHit query(wave->structure.leaves, shadow_ray_of(wave->pool, slot));
     if (!given_up(*wave)) Walk::walk(wave->structure, query);
     wave->pool.blocked[slot] = query.found();
     report(*wave, i, slot, query);

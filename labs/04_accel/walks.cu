@@ -1,17 +1,17 @@
 // The table of walks. A new one is a type that calls it, and a row.
 #include "labs/04_accel/walks.h"
 
-#include "labs/04_accel/visit_all.h"
-#include "labs/04_accel/walk_bvh_parent.h"
-#include "labs/04_accel/walk_bvh_skip.h"
-#include "labs/04_accel/walk_bvh_stack.h"
-#include "labs/04_accel/walk_bvh_trail.h"
-#include "labs/04_accel/walk_kd_restart.h"
-#include "labs/04_accel/walk_kd_ropes.h"
-#include "labs/04_accel/walk_kd_stack.h"
+#include "labs/04_accel/bvh/walk_parent.h"
+#include "labs/04_accel/bvh/walk_skip.h"
+#include "labs/04_accel/bvh/walk_stack.h"
+#include "labs/04_accel/bvh/walk_trail.h"
+#include "labs/04_accel/kd/walk_restart.h"
+#include "labs/04_accel/kd/walk_ropes.h"
+#include "labs/04_accel/kd/walk_stack.h"
+#include "labs/04_accel/leaf/visit_all.h"
 #include "labs/04_accel/walk_kernels.h"
-#include "labs/04_accel/walk_wide_stack.h"
-#include "labs/04_accel/walk_wide_trail.h"
+#include "labs/04_accel/wide/walk_stack.h"
+#include "labs/04_accel/wide/walk_trail.h"
 
 namespace raylab::lab04 {
 

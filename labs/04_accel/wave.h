@@ -4,7 +4,7 @@
 #include "common/sampling/sampler.h"
 #include "common/scene/view.h"
 #include "labs/04_accel/pool.h"
-#include "labs/04_accel/shape_tree.h"
+#include "labs/04_accel/shapes/tree.h"
 #include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
@@ -17,8 +17,8 @@ struct Wave {
     StructureView structure; // over the scene's triangles
     ShapeTreeView shapes;    // over its spheres and quads
     WalkReport walked;
-    int* feelers; // slots whose shadow feeler is on its way
-    int* feelers_sent;
+    int* shadow_rays; // slots whose shadow ray is on its way
+    int* shadow_rays_sent;
 };
 
 // Random numbers belong to a pixel and a sample, never to a slot or a thread.

@@ -2,7 +2,7 @@
 #include "labs/04_accel/wavefront.h"
 
 #include "labs/04_accel/memory_budget.h"
-#include "labs/04_accel/shape_kernels.h"
+#include "labs/04_accel/shapes/kernels.h"
 
 namespace raylab::lab04 {
 
@@ -31,7 +31,7 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel a
       kernels_(choose_kernels(features_of(scene), scene.render.integrator)),
       most_bounces_(bounces_of(scene)), pool_(pool_paths, branches_of(scene.render)), wave_(1),
       live_(pool_paths), spare_(pool_paths), compaction_(pool_paths, machine.block_size),
-      feelers_(pool_paths), feelers_sent_(1),
+      shadow_rays_(pool_paths), shadow_rays_sent_(1),
       walk_counts_(accel_.has_triangles() || accel_.has_shape_tree() ? pool_paths : 0), endless_(1),
       results_(scene.camera.width * scene.camera.height,
                is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {}
@@ -47,8 +47,8 @@ void Wavefront::begin_sample(std::uint32_t sample) {
                     accel_.view(scene.triangles),
                     shapes,
                     {walk_counts_.data(), endless_.data()},
-                    feelers_.data(),
-                    feelers_sent_.data()};
+                    shadow_rays_.data(),
+                    shadow_rays_sent_.data()};
     wave_.assign({&wave, 1});
     endless_.clear();
 }
@@ -91,32 +91,32 @@ void Wavefront::walk(int bounce) {
 
 void Wavefront::intersect() { launch(Stage::intersect, kernels_.intersect, live_.data(), alive_); }
 
-// A path's surface sends a feeler to one light, while it is shaded. Whitted's sends one to each,
-// and they must be back before.
+// A path's surface sends a shadow ray to one light, while it is shaded. Whitted's sends one to
+// each, and they must be back before.
 void Wavefront::shade() {
-    feelers_sent_.clear();
+    shadow_rays_sent_.clear();
     const int block = machine_.block_size, blocks = blocks_for(alive_, block);
-    if (kernels_.feelers != nullptr)
+    if (kernels_.shadow_rays != nullptr)
         for (int light = 0; light < scene_.view().lights.size; ++light) {
             timed(Stage::shade, blocks, [&] {
-                kernels_.feelers<<<blocks, block>>>(wave_.data(), live_.data(), alive_, light);
+                kernels_.shadow_rays<<<blocks, block>>>(wave_.data(), live_.data(), alive_, light);
             });
-            trace_feelers();
-            feelers_sent_.clear();
+            trace_shadow_rays();
+            shadow_rays_sent_.clear();
         }
     launch(Stage::shade, kernels_.shade, live_.data(), alive_);
 }
 
-void Wavefront::trace_feelers() {
-    const int sent = feelers_sent_.to_host().front();
-    results_.feelers_walked() += sent;
+void Wavefront::trace_shadow_rays() {
+    const int sent = shadow_rays_sent_.to_host().front();
+    results_.shadow_rays_walked() += sent;
     if (accel_.has_triangles())
-        launch_walk(Stage::walk_feelers, accel_.kernels().any, feelers_.data(), sent,
-                    results_.walks_of_feelers());
+        launch_walk(Stage::walk_shadow_rays, accel_.kernels().any, shadow_rays_.data(), sent,
+                    results_.walks_of_shadow_rays());
     if (accel_.has_shape_tree())
-        launch_walk(Stage::walk_feelers, shape_kernels().any, feelers_.data(), sent,
-                    results_.feelers_past_shapes());
-    launch(Stage::shadow, kernels_.shadow, feelers_.data(), sent);
+        launch_walk(Stage::walk_shadow_rays, shape_kernels().any, shadow_rays_.data(), sent,
+                    results_.shadow_rays_past_shapes());
+    launch(Stage::shadow, kernels_.shadow, shadow_rays_.data(), sent);
 }
 
 void Wavefront::remove_ended(int bounce) {

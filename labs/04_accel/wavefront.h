@@ -25,7 +25,7 @@ class Wavefront {
     void walk(int bounce); // through the trees
     void intersect();      // the other shapes
     void shade();
-    void trace_feelers(); // that shade() sent: through the trees, past the other shapes
+    void trace_shadow_rays(); // that shade() sent: through the trees, past the other shapes
     void remove_ended(int bounce);
     void accumulate(int n); // slots 0 ... n - 1
 
@@ -59,7 +59,7 @@ class Wavefront {
     DeviceArray<int> live_, spare_; // slots of the paths alive, and room for the next such list
     int alive_ = 0;                 // slots in live_
     Compaction compaction_;
-    DeviceArray<int> feelers_, feelers_sent_;
+    DeviceArray<int> shadow_rays_, shadow_rays_sent_;
     DeviceArray<WalkCounts> walk_counts_;
     DeviceArray<EndlessRay> endless_;
 

@@ -97,7 +97,7 @@ def depth(raylab):
 
 
 def strategies(raylab):
-    """How a lamp is found: by feelers, by chance, by both."""
+    """How a lamp is found: by shadow rays, by chance, by both."""
     for strategy in ("bsdf", "light", "mis"):
         raylab.picture("01", "cornell", LAB01 / f"strategy_{strategy}.png", "--spp", 4,
                        "--direct-light", strategy, *square(192))

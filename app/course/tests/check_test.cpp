@@ -85,7 +85,7 @@ TEST(Release, OneTreeALab) {
     EXPECT_TRUE(fs::exists(folder + "/01_recursive/raylab"));
     EXPECT_TRUE(fs::exists(folder + "/02_iterative/labs/02_iterative/path.h"));
     EXPECT_FALSE(fs::exists(folder + "/02_iterative/labs/01_recursive"));
-    EXPECT_FALSE(fs::exists(folder + "/01_recursive/common/geometry/intersect.h"));
+    EXPECT_FALSE(fs::exists(folder + "/01_recursive/common/trace/intersect.h"));
     expect("release --labs 01 -o " + folder + how, 2, {"is there already"});
     const int handle = open(folder.c_str(), O_RDONLY);
     ASSERT_EQ(flock(handle, LOCK_EX), 0);

@@ -247,7 +247,7 @@ TEST(BOX_FACE, no_box_of_a_run_hides_a_hit) {
     for (int i = 0; i < 64; ++i) {
         Vec3 v[3];
         for (Vec3& p : v) p = Vec3(random.below(9) - 4, random.below(9) - 4, random.below(9) - 4);
-        for (Vec3& p : v) (&p.x)[i % 3] = float(i % 7 - 3);
+        for (Vec3& p : v) p[i % 3] = float(i % 7 - 3);
         if (length_squared(cross(v[1] - v[0], v[2] - v[0])) > 0)
             brute.add(make_triangle(v[0], v[1], v[2]));
     }

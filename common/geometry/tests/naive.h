@@ -75,8 +75,8 @@ inline bool slabs(const Bounds& box, const Ray& ray) {
     const Vec3 inv_d = 1.0f / ray.d;
     float t_near = 0, t_far = infinity;
     for (int axis = 0; axis < 3; ++axis) {
-        const float a = ((&box.low.x)[axis] - (&ray.o.x)[axis]) * (&inv_d.x)[axis];
-        const float b = ((&box.high.x)[axis] - (&ray.o.x)[axis]) * (&inv_d.x)[axis];
+        const float a = (box.low[axis] - ray.o[axis]) * inv_d[axis];
+        const float b = (box.high[axis] - ray.o[axis]) * inv_d[axis];
         t_near = fmaxf(t_near, fminf(a, b));
         t_far = fminf(t_far, fmaxf(a, b));
     }

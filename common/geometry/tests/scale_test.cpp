@@ -49,9 +49,9 @@ template <class Step> std::vector<std::uint32_t> walk(float s, int bounces, cons
         record.push_back(bits(hit.t / s));
         put(p.p / s), put(p.ng), put(p.shading.x), put(p.shading.y);
         record.push_back(bits(p.error / s));
-        const Ray feeler = spawn_ray_to(p, s * Vec3(0.5f, 1, 0.5f), s * 1e-6f, Vec3(0, 1, 0));
-        put(feeler.o / s), put(feeler.d);
-        record.push_back(occluded<all_shapes>(scene, feeler));
+        const Ray shadow_ray = spawn_ray_to(p, s * Vec3(0.5f, 1, 0.5f), s * 1e-6f, Vec3(0, 1, 0));
+        put(shadow_ray.o / s), put(shadow_ray.d);
+        record.push_back(occluded<all_shapes>(scene, shadow_ray));
         const Vec3 n = dot(ray.d, p.ng) < 0 ? p.ng : -p.ng;
         ray = step(ray, hit, p, random.cosine_direction(n));
         put(ray.o / s);

@@ -266,10 +266,10 @@ TEST(BOX_CORNER, a_ray_along_a_face_ends_within_the_box) {
     figure("BOX-CORNER", "hits along a face outside the box", beyond, 0);
 }
 
-// The direction of a feeler is rounded: at the far end of a long one by more than the light's own
-// coordinates tell.
-TEST(SELF_CONVEX, a_feeler_from_far_away_is_free_of_a_light_near_the_origin) {
-    int blocked = 0, naive_blocked = 0, feelers = 0;
+// The direction of a shadow ray is rounded: at the far end of a long one by more than the light's
+// own coordinates tell.
+TEST(SELF_CONVEX, a_shadow_ray_from_far_away_is_free_of_a_light_near_the_origin) {
+    int blocked = 0, naive_blocked = 0, shadow_rays = 0;
     Random random(150);
     for (int i = 0; i < rays(20'000, 200'000); ++i) {
         const DVec3 e1 = random.unit(), e2 = glm::normalize(cross(e1, random.unit()));
@@ -284,7 +284,7 @@ TEST(SELF_CONVEX, a_feeler_from_far_away_is_free_of_a_light_near_the_origin) {
         p.ng = Vec3(glm::normalize(-away));
         p.error = rounding_error(p.p, p.ng);
         const Vec3 target(project(exact_plane(light, true), 1e-3 * (random.uniform() * e1 + e2)));
-        ++feelers;
+        ++shadow_rays;
         const float error = error_on_plane(exact_plane(light, true), target, light.normal, 1);
         const Vec3 facing = light.normal * copysignf(1, float(dot(away, n)));
         blocked += occluded<all_shapes>(world.view(), spawn_ray_to(p, target, error, facing));
@@ -294,16 +294,16 @@ TEST(SELF_CONVEX, a_feeler_from_far_away_is_free_of_a_light_near_the_origin) {
         naive_blocked +=
             occluded<all_shapes>(world.view(), {o, normalize(end - o), length(end - o)});
     }
-    figure("SELF-CONVEX", "long feelers blocked by their light in %", 100.0 * blocked / feelers, 0,
-           100.0 * naive_blocked / feelers);
+    figure("SELF-CONVEX", "long shadow rays blocked by their light in %",
+           100.0 * blocked / shadow_rays, 0, 100.0 * naive_blocked / shadow_rays);
 }
 
-// A shadow feeler is free of both its ends, and is stopped by what lies between them.
-TEST(SELF_CONVEX, a_shadow_feeler_sees_neither_of_its_ends) {
+// A shadow ray is free of both its ends, and is stopped by what lies between them.
+TEST(SELF_CONVEX, a_shadow_ray_sees_neither_of_its_ends) {
     const int n = rays(10'000, 100'000);
     for (double s : {1e-4, 1.0, 1e6}) {
         Random random(110);
-        int blocked = 0, naive_blocked = 0, open = 0, feelers = 0;
+        int blocked = 0, naive_blocked = 0, open = 0, shadow_rays = 0;
         for (int i = 0; i < n; ++i) {
             OneShape one(random, i % 4, s);
             const Hit hit = intersect<all_shapes>(one.world.view(), one.ray);
@@ -340,21 +340,21 @@ TEST(SELF_CONVEX, a_shadow_feeler_sees_neither_of_its_ends) {
             if (dot(way, up) < 1e-5 * distance) continue;
             if (fabs(dot(way, DVec3(normal))) < 1e-4 * distance) continue;
             if (i % 3 == 0 && dot(way, DVec3(normal)) > 0) continue;
-            ++feelers;
+            ++shadow_rays;
             if (dot(way, DVec3(normal)) > 0) normal = -normal;
-            const Ray feeler = spawn_ray_to(p, target, error, normal);
-            blocked += occluded<all_shapes>(world.view(), feeler);
+            const Ray shadow_ray = spawn_ray_to(p, target, error, normal);
+            blocked += occluded<all_shapes>(world.view(), shadow_ray);
             const Ray naive_ray{p.p, normalize(target - p.p), length(target - p.p)};
             naive_blocked += occluded<all_shapes>(world.view(), naive_ray);
             // A small sphere in the middle of the way.
             world.add(Sphere{Vec3(0.5 * (DVec3(target) + DVec3(p.p))), float(1e-3 * distance), {}});
-            open += !occluded<all_shapes>(world.view(), feeler);
+            open += !occluded<all_shapes>(world.view(), shadow_ray);
         }
-        ASSERT_GT(feelers, n / 10);
-        figure("SELF-CONVEX", at_scale("feelers blocked by an end of theirs in %", s),
-               100.0 * blocked / feelers, 0, 100.0 * naive_blocked / feelers);
-        figure("SELF-CONVEX", at_scale("feelers past a blocker in %", s), 100.0 * open / feelers,
-               0);
+        ASSERT_GT(shadow_rays, n / 10);
+        figure("SELF-CONVEX", at_scale("shadow rays blocked by an end of theirs in %", s),
+               100.0 * blocked / shadow_rays, 0, 100.0 * naive_blocked / shadow_rays);
+        figure("SELF-CONVEX", at_scale("shadow rays past a blocker in %", s),
+               100.0 * open / shadow_rays, 0);
     }
 }
 

@@ -5,11 +5,11 @@
 // tolerance, and also if the naive variant is within it: then the test would guard nothing.
 #pragma once
 
-#include "common/geometry/intersect.h"
 #include "common/geometry/make_quad.h"
 #include "common/geometry/offset.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/sphere_groups.h"
+#include "common/trace/intersect.h"
 
 #include <gtest/gtest.h>
 

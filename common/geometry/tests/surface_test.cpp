@@ -1,6 +1,6 @@
 // What surface_at and reflectance_at say about a hit.
 #include "common/geometry/tests/support.h"
-#include "common/geometry/texture.h"
+#include "common/trace/texture.h"
 
 #include <array>
 #include <random>

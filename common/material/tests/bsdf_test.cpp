@@ -222,8 +222,8 @@ TEST(Bsdf, weight_is_f_cos_over_pdf_and_f_is_the_textbooks) {
                 ASSERT_NEAR(v.pdf / s.pdf, 1, 1e-3);
                 const Vec3 ratio = v.f_cos / v.pdf;
                 for (int k = 0; k < 3; ++k) {
-                    const double error = std::abs((&ratio.x)[k] - (&s.weight.x)[k]);
-                    ASSERT_LE(error, 1e-3 * (&s.weight.x)[k]);
+                    const double error = std::abs(ratio[k] - s.weight[k]);
+                    ASSERT_LE(error, 1e-3 * s.weight[k]);
                     worst_weight = std::max(worst_weight, error);
                 }
                 const double truth = textbook(c.material, DVec3(wo), DVec3(s.wi));

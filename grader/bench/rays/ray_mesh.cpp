@@ -1,10 +1,10 @@
 #include "grader/bench/rays/ray_mesh.h"
 
 #include "common/cli/files.h"
-#include "common/scene/procedural/procedural.h"
-#include "common/scene/read_file.h"
-#include "common/scene/scene_builder.h"
-#include "common/scene/scene_error.h"
+#include "common/load/procedural/procedural.h"
+#include "common/load/read_file.h"
+#include "common/load/scene_builder.h"
+#include "common/load/scene_error.h"
 
 #include <fmt/format.h>
 

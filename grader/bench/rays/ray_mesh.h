@@ -3,7 +3,7 @@
 
 #include "common/camera/camera.h"
 #include "common/geometry/shapes.h"
-#include "common/scene/mesh.h"
+#include "common/load/mesh.h"
 #include "common/scene/scene.h"
 
 #include <filesystem>
@@ -40,7 +40,7 @@ RayMesh polygons_of(const Scene& scene);
 // .obj, .gltf or .glb, seen from the front.
 RayMesh load_ray_mesh(const std::filesystem::path& file);
 
-// A mesh made by a program (common/scene/procedural), seen from above, and the stadium's flake from
+// A mesh made by a program (common/load/procedural), seen from above, and the stadium's flake from
 // near.
 RayMesh procedural_ray_mesh(const std::string& kind, int triangles, std::uint32_t seed);
 

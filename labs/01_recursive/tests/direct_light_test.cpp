@@ -1,4 +1,4 @@
-// Task 1.3: shadow feelers, held against irradiances in closed form.
+// Task 1.3: shadow rays, held against irradiances in closed form.
 #include "common/task/facts.h"
 #include "common/task/small_scene.h"
 #include "labs/01_recursive/direct_light.h"
@@ -14,7 +14,7 @@ const std::string floor_material =
 const std::string floor_plane =
     R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "floor"})";
 
-// Radiance that leaves the floor straight up at (x, 0, 0), by one feeler to light 0.
+// Radiance that leaves the floor straight up at (x, 0, 0), by one shadow ray to light 0.
 Vec3 from_floor(const Scene& scene, float x, Vec2 u, DirectLight strategy = DirectLight::light,
                 float p_choice = 1) {
     const SceneView scene_view = view(scene);
@@ -55,11 +55,11 @@ TEST(Task1_3, WhatStandsBetweenCastsAShadowAndWhatStandsBeyondDoesNot) {
     };
     expect_near("radiance behind a sphere in the light's way",
                 from_floor(lamp_over_floor(sphere(1)), 0, Vec2(0.5f)).x, 0, 0,
-                "the feeler asks whether anything lies between");
+                "the shadow ray asks whether anything lies between");
     expect_near("radiance with a sphere behind the light",
                 from_floor(lamp_over_floor(sphere(2.5)), 0, Vec2(0.5f)).x,
                 from_floor(lamp_over_floor(), 0, Vec2(0.5f)).x, 1e-7,
-                "the feeler ends at the light");
+                "the shadow ray ends at the light");
 }
 
 TEST(Task1_3, LightFromBelowDoesNotReachTheFloorsUpperSide) {

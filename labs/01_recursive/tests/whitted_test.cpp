@@ -79,7 +79,7 @@ TEST(Task1_4, AMirrorShowsAFloorInTheLight) {
     const double floor = 0.5 / M_PI * (10 / 4.0 + 3);
     expect_near("radiance of a floor under two lights",
                 trace(scene, {Vec3(0, 0.5f, 0), Vec3(0, -1, 0)}).radiance.x, floor, 1e-4,
-                "a diffuse surface adds the feelers to all lights");
+                "a diffuse surface adds the shadow rays to all lights");
     expect_near("the same floor in a mirror of reflectance 0.5",
                 trace(scene, {Vec3(0.001f, 2.5f, 0), Vec3(0, 1, 0)}).radiance.x, floor / 2, 2e-4,
                 "a mirror returns its reflectance times what the reflected ray sees");

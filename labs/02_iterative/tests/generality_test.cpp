@@ -2,7 +2,8 @@
 //
 // Each kernel has one more feature compiled in; the box uses none of them, so all draw the same
 // image. The variant that the lab chooses for the box has exactly its features and pays nothing.
-#include "common/scene/load.h"
+#include "common/load/load.h"
+#include "common/scene/scene_features.h"
 #include "common/scene/variants.h"
 #include "labs/02_iterative/tests/plain_loop.h"
 

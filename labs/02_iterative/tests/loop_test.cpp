@@ -131,7 +131,7 @@ TEST(Task2_1, WhittedsRaysAreATree) {
                  "a ray of depth + 1 == max_depth sends no others, and record_hit() counts each");
 }
 
-TEST(Task2_1, WhittedsFeelersReachEveryLight) {
+TEST(Task2_1, WhittedsShadowRaysReachEveryLight) {
     const Scene scene = small_scene(
         {R"("floor": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
          R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "floor"})",
@@ -140,7 +140,7 @@ TEST(Task2_1, WhittedsFeelersReachEveryLight) {
          whitted(4)});
     expect_near("radiance of a floor under two lights",
                 trace(scene, {Vec3(0, 0.5f, 0), Vec3(0, -1, 0)}).x, 0.5 / M_PI * (10 / 4.0 + 3),
-                1e-4, "a diffuse surface adds throughput * the feelers to all lights");
+                1e-4, "a diffuse surface adds throughput * the shadow rays to all lights");
 }
 
 // Whatever probability of survival is chosen: the mean over u of what goes on is what came.
@@ -152,7 +152,7 @@ TEST(Task2_5, RouletteLeavesTheMean) {
         for (int i = 0; i < n; ++i) {
             Vec3 left = throughput;
             if (!survives_roulette(left, 6, (i + 0.5f) / n)) continue;
-            for (int c = 0; c < 3; ++c) sum[c] += (&left.x)[c] / n;
+            for (int c = 0; c < 3; ++c) sum[c] += left[c] / n;
         }
         if (!expect_vector("mean throughput after roulette", Vec3(sum[0], sum[1], sum[2]),
                            throughput, 2e-3 * max_component(throughput),

@@ -2,7 +2,8 @@
 //
 // Both trace the same samples of the same pixels with the same threads, in turns, so that a machine
 // that slows down slows both; the median of the ratios counts. At most 1.10 is the aim.
-#include "common/scene/load.h"
+#include "common/load/load.h"
+#include "common/scene/scene_features.h"
 #include "common/scene/variants.h"
 #include "labs/02_iterative/renderer.h"
 #include "labs/02_iterative/tests/plain_loop.h"

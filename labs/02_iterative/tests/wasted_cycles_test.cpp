@@ -61,7 +61,7 @@ TEST(Task2_6, TheLedgerAgreesWithThePaths) {
         }
         const Ledger ledger = renderer->ledger();
         expect_equal("shadow rays of 3 iterations", ledger.shadow_rays, expected.shadow_rays,
-                     "a warp's feelers are added up, to any one of the shards");
+                     "a warp's shadow rays are added up, to any one of the shards");
         for (std::size_t b = 0; b < expected.bounces.size(); ++b) {
             const BounceCounts& counts = ledger.bounces[b];
             const std::string in = fmt::format(" in bounce {}, in blocks of {}", b, block);

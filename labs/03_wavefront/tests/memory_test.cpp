@@ -14,11 +14,12 @@ namespace {
 // Every array of a pool, by what it takes: the sum is what path_bytes says.
 TEST(Memory, APathTakesWhatIsStated) {
     const PoolView p{};
-    EXPECT_EQ(path_bytes,
-              sizeof *p.pixel + sizeof *p.bounce + sizeof *p.throughput + sizeof *p.radiance +
-                  sizeof *p.bsdf_pdf + sizeof *p.alive + sizeof *p.record + sizeof *p.origin +
-                  sizeof *p.direction + sizeof *p.hit + sizeof *p.kind + sizeof *p.feeler_origin +
-                  sizeof *p.feeler_direction + sizeof *p.feeler_t_max + sizeof *p.feeler_light);
+    EXPECT_EQ(path_bytes, sizeof *p.pixel + sizeof *p.bounce + sizeof *p.throughput +
+                              sizeof *p.radiance + sizeof *p.bsdf_pdf + sizeof *p.alive +
+                              sizeof *p.record + sizeof *p.origin + sizeof *p.direction +
+                              sizeof *p.hit + sizeof *p.kind + sizeof *p.shadow_ray_origin +
+                              sizeof *p.shadow_ray_direction + sizeof *p.shadow_ray_t_max +
+                              sizeof *p.shadow_ray_light);
     EXPECT_EQ(branch_bytes(0), 0u);
     EXPECT_EQ(branch_bytes(7), sizeof *p.node + sizeof *p.pending + 7 * sizeof *p.stack);
 }

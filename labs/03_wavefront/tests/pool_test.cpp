@@ -126,7 +126,7 @@ TEST(Task3_1, FurnacesHoldAtDepthOneThousand) {
 }
 
 // E = I / r^2 straight below a point light, and a shadow where something is in the way.
-TEST(Task3_1, FeelersFindLightAndShadow) {
+TEST(Task3_1, ShadowRaysFindLightAndShadow) {
     const auto below = [](const std::string& blocker) {
         const Scene scene = small_scene(
             {.materials = R"("floor": {"kind": "diffuse", "reflectance": [1, 1, 1]})",
@@ -141,7 +141,8 @@ TEST(Task3_1, FeelersFindLightAndShadow) {
         return trace(scene).film.pixels[0].sum[0];
     };
     expect_near("radiance of a white floor 2 below a point light of intensity 4", below(""),
-                1 / 3.14159265, 1e-5, "shadow_path() adds feeler_light, which has the throughput");
+                1 / 3.14159265, 1e-5,
+                "shadow_path() adds shadow_ray_light, which has the throughput");
     expect_near("the same behind a sphere",
                 below(R"(, {"kind": "sphere", "center": [0, 0, 1.5], "radius": 0.2,
                           "material": "floor"})"),
@@ -169,7 +170,8 @@ TEST(Task3_1, EveryBounceFindsTheLampWeightedByItsThroughput) {
                     fmt::format("radiance around a point light in a grey sphere at depth {}",
                                 depth),
                     pixel.sum[1], truth, 1e-4,
-                    "feeler_light = throughput * feeler.light, and none from the last surface"))
+                    "shadow_ray_light = throughput * shadow_ray.light, and none from the last "
+                    "surface"))
                 return;
     }
 }
@@ -178,10 +180,10 @@ TEST(Task3_1, EveryBounceFindsTheLampWeightedByItsThroughput) {
 TEST(Task3_1, TheLedgerCountsEveryPathOnce) {
     const Traced traced = trace(room(), {.pool = 200});
     std::vector<std::uint64_t> rays(8);
-    std::uint64_t feelers = 0;
+    std::uint64_t shadow_rays = 0;
     for (const PathRecord& record : traced.records) {
         for (int b = 0; b < record.length && b < 8; ++b) ++rays[b];
-        feelers += record.shadow_rays;
+        shadow_rays += record.shadow_rays;
     }
     expect_equal("paths in bounce 0", static_cast<long long>(rays[0]), 33 * 21,
                  "each path's record must reach the film: accumulate_path()");
@@ -190,7 +192,7 @@ TEST(Task3_1, TheLedgerCountsEveryPathOnce) {
                      static_cast<long long>(traced.ledger.bounces[b].rays),
                      static_cast<long long>(rays[b]), "record_hit() once a ray");
     expect_equal("shadow rays", static_cast<long long>(traced.ledger.shadow_rays),
-                 static_cast<long long>(feelers), "one feeler for each that was sent");
+                 static_cast<long long>(shadow_rays), "one shadow ray for each that was sent");
 }
 
 // POOL-INVAR: how the pool is run changes no bit.

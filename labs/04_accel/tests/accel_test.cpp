@@ -99,18 +99,18 @@ TEST(WalkLedger, CountsWhatEachRayVisits) {
         EXPECT_EQ(walks.nodes, nodes * rays) << name_of(accel.accel) << " at " << at;
         EXPECT_EQ(walks.blocks, blocks * rays) << name_of(accel.accel) << " at " << at;
         ASSERT_TRUE(ledger.structure);
-        EXPECT_EQ(ledger.structure->feelers.rays, 0u);
+        EXPECT_EQ(ledger.structure->shadow_rays.rays, 0u);
     }
 }
 
-// From the front of the first group to the light before it: one feeler a ray, which looks at the
-// root.
-TEST(WalkLedger, CountsFeelersApart) {
+// From the front of the first group to the light before it: one shadow ray a ray, which looks at
+// the root.
+TEST(WalkLedger, CountsShadowRaysApart) {
     const Ledger ledger = ledger_of(two_groups(0, 2), {AccelKind::sah, WalkKind::stack});
-    const WalkSums& feelers = ledger.structure->feelers;
-    EXPECT_EQ(feelers.rays, 8u * 4 * 3);
-    EXPECT_EQ(feelers.rays, ledger.shadow_rays);
-    EXPECT_EQ(feelers.nodes, feelers.rays);
+    const WalkSums& shadow_rays = ledger.structure->shadow_rays;
+    EXPECT_EQ(shadow_rays.rays, 8u * 4 * 3);
+    EXPECT_EQ(shadow_rays.rays, ledger.shadow_rays);
+    EXPECT_EQ(shadow_rays.nodes, shadow_rays.rays);
     EXPECT_EQ(ledger.bounces.at(0).walks.nodes, 8u * 4 * 3);
 }
 

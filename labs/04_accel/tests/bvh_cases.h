@@ -2,16 +2,16 @@
 // walks.
 #pragma once
 
-#include "labs/04_accel/bvh_sah.h"
-#include "labs/04_accel/skip_tree.h"
+#include "labs/04_accel/bvh/sah.h"
+#include "labs/04_accel/bvh/skip_tree.h"
+#include "labs/04_accel/bvh/walk_parent.h"
+#include "labs/04_accel/bvh/walk_skip.h"
+#include "labs/04_accel/bvh/walk_stack.h"
+#include "labs/04_accel/bvh/walk_trail.h"
 #include "labs/04_accel/tests/cases.h"
-#include "labs/04_accel/walk_bvh_parent.h"
-#include "labs/04_accel/walk_bvh_skip.h"
-#include "labs/04_accel/walk_bvh_stack.h"
-#include "labs/04_accel/walk_bvh_trail.h"
-#include "labs/04_accel/walk_wide_stack.h"
-#include "labs/04_accel/walk_wide_trail.h"
-#include "labs/04_accel/wide_tree.h"
+#include "labs/04_accel/wide/tree.h"
+#include "labs/04_accel/wide/walk_stack.h"
+#include "labs/04_accel/wide/walk_trail.h"
 
 namespace raylab::lab04 {
 

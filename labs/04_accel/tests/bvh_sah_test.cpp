@@ -1,7 +1,7 @@
 // Task 4.9: a cut between triangles is the one at which rays pay least, and its cost is what it
 // says.
 #include "common/task/facts.h"
-#include "labs/04_accel/bvh_split.h"
+#include "labs/04_accel/bvh/split.h"
 #include "labs/04_accel/tests/bvh_cases.h"
 
 namespace raylab::lab04 {

@@ -1,7 +1,7 @@
 // The hierarchies of boxes against the suite of hard cases (ACCEL-BRUTE, TREE-DEPTH, DUP-COPLANAR,
 // BOX-FACE, BOX-FLAT, TRI-DEGEN, TRI-EDGE, POW2-SCALE): every walk finds what brute force finds.
 #include "common/geometry/tests/support.h"
-#include "labs/04_accel/bvh_lbvh.h"
+#include "labs/04_accel/lbvh/build.h"
 #include "labs/04_accel/tests/bvh_cases.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "common/geometry/triangle.h"
 #include "common/sampling/hash.h"
-#include "labs/04_accel/query.h"
+#include "labs/04_accel/leaf/query.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // hit, is sure of nothing that is missed, and knows within which t.
 #include "common/geometry/tests/support.h"
 #include "common/geometry/triangle.h"
-#include "labs/04_accel/leaf_blocks.h"
+#include "labs/04_accel/leaf/leaf_blocks.h"
 #include "labs/04_accel/tests/cases.h"
 
 #include <algorithm>

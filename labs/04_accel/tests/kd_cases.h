@@ -1,12 +1,12 @@
 // What the tests of the KD-tree share: triangles and a tree over them, and its three walks.
 #pragma once
 
-#include "labs/04_accel/kd_build.h"
-#include "labs/04_accel/kd_ropes.h"
+#include "labs/04_accel/kd/build.h"
+#include "labs/04_accel/kd/ropes.h"
+#include "labs/04_accel/kd/walk_restart.h"
+#include "labs/04_accel/kd/walk_ropes.h"
+#include "labs/04_accel/kd/walk_stack.h"
 #include "labs/04_accel/tests/cases.h"
-#include "labs/04_accel/walk_kd_restart.h"
-#include "labs/04_accel/walk_kd_ropes.h"
-#include "labs/04_accel/walk_kd_stack.h"
 
 namespace raylab::lab04 {
 

@@ -66,7 +66,7 @@ TEST(KdTree, AccelBrute) {
     }
 }
 
-// As kd_ray.h says; so none looks further than another.
+// As kd/ray.h says; so none looks further than another.
 TEST(KdTree, WalksComeToTheSameLeaves) {
     for (const auto& triangles : {soup(500, 0.3f), hills(24)}) {
         const KdCase scene(triangles, deep());

@@ -1,13 +1,13 @@
 // Tasks 4.4 to 4.6: the tree along the Morton curve.
 #include "common/sampling/hash.h"
 #include "common/task/facts.h"
-#include "labs/04_accel/bvh_lbvh.h"
-#include "labs/04_accel/karras.h"
-#include "labs/04_accel/morton.h"
-#include "labs/04_accel/query.h"
-#include "labs/04_accel/radix_sort.h"
+#include "labs/04_accel/bvh/walk_stack.h"
+#include "labs/04_accel/lbvh/build.h"
+#include "labs/04_accel/lbvh/karras.h"
+#include "labs/04_accel/lbvh/morton.h"
+#include "labs/04_accel/lbvh/radix_sort.h"
+#include "labs/04_accel/leaf/query.h"
 #include "labs/04_accel/tests/cases.h"
-#include "labs/04_accel/walk_bvh_stack.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

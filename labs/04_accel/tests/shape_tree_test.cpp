@@ -4,9 +4,9 @@
 #include "common/scene/quad_groups.h"
 #include "common/scene/shape_boxes.h"
 #include "common/scene/sphere_groups.h"
-#include "labs/04_accel/shape_query.h"
+#include "labs/04_accel/bvh/walk_trail.h"
+#include "labs/04_accel/shapes/query.h"
 #include "labs/04_accel/tests/cases.h"
-#include "labs/04_accel/walk_bvh_trail.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Trees built on several threads are, byte for byte, those that one thread builds.
-#include "labs/04_accel/build_tasks.h"
+#include "labs/04_accel/build/tasks.h"
 
-#include "common/scene/procedural/procedural.h"
-#include "labs/04_accel/bvh_sah.h"
-#include "labs/04_accel/kd_build.h"
+#include "common/load/procedural/procedural.h"
+#include "labs/04_accel/bvh/sah.h"
+#include "labs/04_accel/kd/build.h"
 #include "labs/04_accel/tests/cases.h"
-#include "labs/04_accel/wide_tree.h"
+#include "labs/04_accel/wide/tree.h"
 
 #include <gtest/gtest.h>
 

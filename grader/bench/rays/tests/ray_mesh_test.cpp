@@ -1,8 +1,8 @@
 // From scenes and mesh files to triangles and a camera.
 #include "grader/bench/rays/ray_mesh.h"
 
-#include "common/scene/load.h"
-#include "common/scene/procedural/procedural.h"
+#include "common/load/load.h"
+#include "common/load/procedural/procedural.h"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,233 @@
+// Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
+// into one block, which is a leaf. Subtrees are built by tasks (build/tasks.h).
+#include "labs/04_accel/bvh/sah.h"
+
+#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/bvh/split.h"
+#include "labs/04_accel/leaf/leaf_blocks.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <memory>
+
+namespace raylab::lab04 {
+namespace {
+
+// Cuts through triangles are tried where the children's boxes would overlap by more than these
+// shares of the scene's box and of the node's, and as long as there are no more references than
+// this for each triangle. Where boxes overlap however the triangles are parted, most are tried in
+// vain: below so many in a row none is.
+constexpr double least_overlap = 1e-3, least_own_overlap = 0.2, most_references = 1.4;
+constexpr int most_in_vain = 3;
+
+// What a node is built of.
+struct Work {
+    Items items;
+    int depth;    // of the node
+    double spare; // references that cuts through triangles may add
+    int in_vain;  // cuts through triangles that did not pay, one below the other, right above here
+};
+
+// A node cut in two. Cuts through triangles make new items, and keep them here.
+struct Halves {
+    int axis;
+    Work half[2];
+    std::vector<BuildItem> made[2];
+};
+
+// Where to cut; the same for all threads.
+struct Cutter {
+    const std::vector<Triangle>& triangles;
+    KdClip clip;
+    double root_area;
+
+    Halves cut(const Work& work) const {
+        const Bounds centres = centres_of(work.items);
+        // A tree of medians below may still need this many levels.
+        const int halvings = std::bit_width(work.items.size());
+        const bool deep = work.depth + halvings >= max_sah_depth;
+        const Split split = deep ? Split{} : best_cut_between(work.items, centres);
+        int in_vain = work.in_vain;
+        if (split.overlap > least_overlap * root_area && work.spare >= 1 &&
+            in_vain < most_in_vain) {
+            Halves halves;
+            if (cut_through(work, split, halves, in_vain)) return halves;
+        }
+        int axis = split.axis;
+        std::size_t middle = axis >= 0 ? cut_between(work.items, centres, split) : 0;
+        // No cut, or one that parts nothing and would be made again and again.
+        if (middle == 0 || middle == work.items.size())
+            middle = cut_at_median(work.items, centres, axis);
+        return halves_of(work, axis, work.items.subspan(0, middle), work.items.subspan(middle),
+                         work.spare, in_vain);
+    }
+
+  private:
+    // False if it would cost no less than the one between, part nothing, or make too many
+    // references; in_vain counts that.
+    bool cut_through(const Work& work, const Split& between, Halves& halves, int& in_vain) const {
+        Bounds box;
+        for (const BuildItem& item : work.items) box.include(item.box);
+        if (between.overlap <= least_own_overlap * half_area(box)) return false;
+        ++in_vain;
+        const Split through = best_cut_through(work.items, box, triangles, between.cost);
+        if (through.axis < 0) return false;
+        std::vector<BuildItem> left, right;
+        lab04::cut_through(work.items, triangles, clip, through, left, right);
+        const std::size_t n = work.items.size();
+        const double spare = work.spare - (double(left.size() + right.size()) - double(n));
+        if (left.empty() || right.empty() || left.size() >= n || right.size() >= n || spare < 0)
+            return false;
+        halves = halves_of(work, through.axis, left, right, spare, 0);
+        halves.made[0] = std::move(left), halves.made[1] = std::move(right);
+        return true;
+    }
+
+    // The half with fewer triangles at the front, wherever they lie.
+    static std::size_t cut_at_median(Items items, const Bounds& centres, int& axis) {
+        const Vec3 extent = centres.high - centres.low;
+        axis =
+            extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+        const std::size_t half = items.size() / 2;
+        std::nth_element(items.begin(), items.begin() + half, items.end(),
+                         [&](const BuildItem& a, const BuildItem& b) {
+                             return a.centre(axis) < b.centre(axis) ||
+                                    (a.centre(axis) == b.centre(axis) && a.index < b.index);
+                         });
+        return half;
+    }
+
+    // What may be added is shared out by size, so that no subtree depends on another.
+    static Halves halves_of(const Work& work, int axis, Items left, Items right, double spare,
+                            int in_vain) {
+        const double share = spare / double(left.size() + right.size());
+        return {axis,
+                {{left, work.depth + 1, share * double(left.size()), in_vain},
+                 {right, work.depth + 1, share * double(right.size()), in_vain}},
+                {}};
+    }
+};
+
+struct Child {
+    int child; // as in BvhNode
+    Bounds box;
+};
+
+int add_node(BvhTree& tree, int parent) {
+    tree.nodes.push_back({{}, {no_child, no_child}, parent, 0});
+    return static_cast<int>(tree.nodes.size()) - 1;
+}
+
+Child finish(BvhTree& tree, int self, int axis, const Child& left, const Child& right) {
+    BvhNode& node = tree.nodes[self];
+    node.axis = axis;
+    set_child(node, 0, left.child, left.box);
+    set_child(node, 1, right.child, right.box);
+    Bounds box = left.box;
+    box.include(right.box);
+    return {self, box};
+}
+
+// A subtree, numbered from 0, made by one thread.
+struct Subtree {
+    const Cutter& cutter;
+    BvhTree tree;
+
+    Child leaf(const Work& work) {
+        std::array<int, triangles_per_block> indices;
+        Bounds box;
+        for (std::size_t i = 0; i < work.items.size(); ++i) {
+            indices[i] = work.items[i].index;
+            box.include(work.items[i].box);
+        }
+        append_blocks(cutter.triangles, {indices.data(), work.items.size()}, tree.blocks);
+        return {~static_cast<int>(tree.blocks.size() - 1), box};
+    }
+
+    Child build(const Work& work, int parent) {
+        tree.depth = std::max(tree.depth, work.depth);
+        if (work.items.size() <= triangles_per_block) return leaf(work);
+        const int self = add_node(tree, parent);
+        const Halves halves = cutter.cut(work);
+        const Child left = build(halves.half[0], self);
+        return finish(tree, self, halves.axis, left, build(halves.half[1], self));
+    }
+};
+
+// A node at the top of the tree that is cut, or a subtree that is built in one go.
+struct Piece {
+    using Memory = std::shared_ptr<const std::vector<BuildItem>>;
+
+    const Cutter& cutter;
+    Memory memory; // of the items
+    Work work;
+    int axis = 0;
+    std::unique_ptr<Piece> half[2] = {};
+    BvhTree tree = {}; // if it is whole
+    Child root = {};   // and its root there
+
+    std::size_t size() const { return work.items.size(); }
+
+    bool cut() {
+        Halves halves = cutter.cut(work);
+        axis = halves.axis;
+        for (int k = 0; k < 2; ++k) {
+            auto& made = halves.made[k];
+            half[k].reset(new Piece{
+                cutter,
+                made.empty() ? memory : std::make_shared<std::vector<BuildItem>>(std::move(made)),
+                halves.half[k]});
+        }
+        memory.reset();
+        return true;
+    }
+
+    void build() {
+        Subtree subtree{cutter, {}};
+        root = subtree.build(work, -1);
+        tree = std::move(subtree.tree);
+        memory.reset();
+    }
+
+    // Appends it to a tree, in the order in which one thread makes nodes.
+    Child append_to(BvhTree& all, int parent) {
+        if (half[0]) {
+            const int self = add_node(all, parent);
+            const Child left = half[0]->append_to(all, self);
+            return finish(all, self, axis, left, half[1]->append_to(all, self));
+        }
+        const int nodes = static_cast<int>(all.nodes.size()),
+                  blocks = static_cast<int>(all.blocks.size());
+        const auto moved = [&](int child) { return child + (is_leaf(child) ? -blocks : nodes); };
+        for (BvhNode node : tree.nodes) {
+            for (int& child : node.child) child = moved(child);
+            node.parent = node.parent < 0 ? parent : node.parent + nodes;
+            all.nodes.push_back(node);
+        }
+        all.blocks.insert(all.blocks.end(), tree.blocks.begin(), tree.blocks.end());
+        all.depth = std::max(all.depth, tree.depth);
+        return {moved(root.child), root.box};
+    }
+};
+
+} // namespace
+
+BvhTree build_bvh_sah(const std::vector<Triangle>& triangles, int threads) {
+    const auto items = std::make_shared<std::vector<BuildItem>>(build_items(triangles));
+    if (items->empty()) return {};
+    Bounds box;
+    for (const BuildItem& item : *items) box.include(item.box);
+    const float largest = max_component(glm::max(abs(box.low), abs(box.high)));
+    const Cutter cutter{triangles, KdClip(largest), half_area(box)};
+    Piece root{cutter, items, {*items, 0, (most_references - 1) * double(items->size()), 0}};
+    build_in_pieces(root, threads);
+
+    BvhTree tree;
+    const Child top = root.append_to(tree, -1);
+    // A tree of one leaf: a root with nothing on its other side.
+    if (is_leaf(top.child)) finish(tree, add_node(tree, -1), 0, top, {no_child, {}});
+    return tree;
+}
+
+} // namespace raylab::lab04

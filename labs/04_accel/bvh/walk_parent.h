@@ -1,0 +1,47 @@
+// Without a stack and without a trail: where to go next follows from where the walk comes from.
+//
+// At each node the ray's direction along the axis on which the children lie apart says which one is
+// the near one (of a shadow ray: the far one, see leaf/query.h), always the same. From above, a
+// walk goes to the near child; back from the near child, to the far one; back from the far child,
+// up. The price: on the way back boxes are tested again. Hapala, Davidovic, Wald, Havran and
+// Slusallek, Efficient Stack-less BVH Traversal for Ray Tracing, SCCG 2011.
+#pragma once
+
+#include "common/task/not_implemented.h"
+#include "labs/04_accel/bvh/bvh.h"
+#include "labs/04_accel/leaf/visit_all.h"
+
+namespace raylab::lab04 {
+
+template <class Query> HD void walk_bvh_parent(const BvhView& bvh, Query& query) {
+    if (bvh.nodes.size == 0) return;
+    //[ task 4.8
+    int node = 0, from = -1; // -1: from above
+    while (true) {
+        if (!query.step()) return;
+        const BvhNode& here = bvh.nodes[node];
+        const int near = query.first(here.axis);
+        int next = from < 0 ? near : from == near ? 1 - near : -1; // the child to look at; -1: up
+        from = -1;
+        if (next >= 0) {
+            const PairCrossing pair = cross(here, query.slab, query.reach());
+            if (next == near && !(near ? pair.met1 : pair.met0)) next = 1 - near;
+            if (!(next ? pair.met1 : pair.met0)) next = -1;
+        }
+        if (next < 0) { // up
+            if (here.parent < 0) return;
+            from = bvh.nodes[here.parent].child[1] == node;
+            node = here.parent;
+        } else if (is_leaf(here.child[next])) {
+            if (query.visit(~here.child[next])) return;
+            from = next; // and back at once
+        } else {
+            node = here.child[next];
+        }
+    }
+    //| not_implemented("4.8", "walk_bvh_parent()");
+    //| visit_all_blocks(query);
+    //]
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,45 @@
+// The walk that everybody knows: the near child first, the far one on a stack.
+//
+// The others are measured against it. Its stack is 62 pairs of numbers a thread: on a GPU they lie
+// in local memory, which is global memory with another name.
+#pragma once
+
+#include "labs/04_accel/bvh/bvh.h"
+
+namespace raylab::lab04 {
+
+template <class Query> HD void walk_bvh_stack(const BvhView& bvh, Query& query) {
+    if (bvh.nodes.size == 0) return;
+    struct Pending {
+        int child;
+        float near;
+    };
+    Pending stack[max_bvh_depth];
+    int size = 0, child = 0;
+    while (true) {
+        if (is_leaf(child)) {
+            if (query.visit(~child)) return;
+        } else {
+            if (!query.step()) return;
+            const BvhNode& node = bvh.nodes[child];
+            const PairCrossing pair = cross(node, query.slab, query.reach());
+            const bool swap = query.first(node.axis);
+            const bool near = swap ? pair.met1 : pair.met0, far = swap ? pair.met0 : pair.met1;
+            if (near) {
+                if (far) stack[size++] = {node.child[1 - swap], swap ? pair.near0 : pair.near1};
+                child = node.child[swap];
+                continue;
+            }
+            if (far) {
+                child = node.child[1 - swap];
+                continue;
+            }
+        }
+        do {
+            if (size == 0) return;
+            child = stack[--size].child;
+        } while (stack[size].near > query.reach() * (1 + 2 * gamma_bound(3)));
+    }
+}
+
+} // namespace raylab::lab04

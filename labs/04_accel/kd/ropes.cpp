@@ -1,0 +1,82 @@
+// Laying the ropes; see kd/ropes.h.
+//
+// On the way down from the root every node gets six ropes: at first its parent's, but that the two
+// children of a node are each other's neighbours. A neighbour may be much larger than the face, so
+// the rope is pushed down in it, as long as one child alone covers the face.
+#include "labs/04_accel/kd/ropes.h"
+
+#include "common/task/not_implemented.h"
+
+#include <array>
+
+namespace raylab::lab04 {
+
+namespace {
+
+using Ropes = std::array<int, 6>; // by face, as KdLeaf::rope
+
+class Layer {
+  public:
+    explicit Layer(KdTree& tree) : tree_(tree) {}
+
+    void lay(int at, const Bounds& cell, Ropes ropes) {
+        const KdNode node = tree_.nodes[at];
+        for (int face = 0; face < 6; ++face) ropes[face] = pushed_down(ropes[face], face, cell);
+        if (node.is_leaf()) {
+            tree_.leaf_of[at] = int(tree_.leaves.size());
+            KdLeaf& leaf = tree_.leaves.emplace_back();
+            leaf.cell = cell;
+            std::copy(ropes.begin(), ropes.end(), leaf.rope);
+            return;
+        }
+        const int axis = node.axis();
+        Bounds lower = cell, upper = cell;
+        lower.high[axis] = upper.low[axis] = node.split;
+        Ropes lower_ropes = ropes, upper_ropes = ropes;
+        //[ task 4.2
+        lower_ropes[2 * axis + 1] = node.above();
+        upper_ropes[2 * axis] = node.below();
+        //| // To the root: right, but a long way down again.
+        //| lower_ropes[2 * axis + 1] = upper_ropes[2 * axis] = 0;
+        //]
+        lay(node.below(), lower, lower_ropes);
+        lay(node.above(), upper, upper_ropes);
+    }
+
+  private:
+    // The smallest node in the subtree `rope` that still covers the whole face of the cell.
+    int pushed_down(int rope, int face, const Bounds& cell) const {
+        //[ task 4.2
+        while (rope != no_rope && !tree_.nodes[rope].is_leaf()) {
+            const KdNode& node = tree_.nodes[rope];
+            const int axis = node.axis();
+            if (axis == face / 2) {
+                rope = face % 2 == 0 ? node.above() : node.below(); // the one beside the face
+            } else if (node.split <= cell.low[axis]) {
+                rope = node.above();
+            } else if (node.split >= cell.high[axis]) {
+                rope = node.below();
+            } else {
+                break;
+            }
+        }
+        //| not_implemented("4.2", "lay_ropes()");
+        //]
+        return rope;
+    }
+
+    KdTree& tree_;
+};
+
+} // namespace
+
+void lay_ropes(KdTree& tree) {
+    tree.leaf_of.assign(tree.nodes.size(), -1);
+    tree.leaves.clear();
+    if (tree.nodes.empty()) return;
+    Ropes none;
+    none.fill(no_rope);
+    Layer(tree).lay(0, tree.bounds, none);
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,48 @@
+// The walk that starts over: after each leaf down from the root again, to the leaf behind it.
+// Foley and Sugerman, KD-Tree Acceleration Structures for a GPU Raytracer, 2005; the root moves
+// down as in Horn et al., Interactive k-D Tree GPU Raytracing, 2007 ("push-down").
+//
+// It always gets on: a leaf's end is the least t of the planes above which the ray was still in
+// front of, so it is greater than its begin, and the next way down takes that plane's other side.
+#pragma once
+
+#include "common/task/not_implemented.h"
+#include "labs/04_accel/kd/ray.h"
+
+namespace raylab::lab04 {
+
+template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& query) {
+    //[ task 4.3
+    const KdRay ray(query.ray());
+    KdInterval rest = inside(tree.bounds, ray);
+    if (!(rest.begin <= rest.end)) return;
+
+    int root = 0; // of a subtree that the rest of the ray does not leave
+    while (!is_beyond(rest.begin, query.reach())) {
+        double end = rest.end;
+        int at = root;
+        bool only = true; // so far the ray was in one child alone
+        KdNode node;
+        for (;;) {
+            node = tree.nodes[at];
+            if (!query.step()) return;
+            if (node.is_leaf()) break;
+            const double t = ray.t_at(node);
+            if (t <= rest.begin) {
+                at = ray.second(node);
+            } else {
+                at = ray.first(node);
+                only &= t >= rest.end;
+                if (t < end) end = t;
+            }
+            if (only) root = at;
+        }
+        if (visit_leaf(node, query) || end >= rest.end) return;
+        rest.begin = end;
+    }
+    //| not_implemented("4.3", "walk_kd_restart()");
+    //| visit_all(tree, query);
+    //]
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,47 @@
+// The walk along ropes: out of a leaf through one of its faces, and on with what lies behind it.
+// Popov et al., Stackless KD-Tree Traversal for High Performance GPU Ray Tracing, 2007, section 4.
+#pragma once
+
+#include "common/task/not_implemented.h"
+#include "labs/04_accel/kd/ray.h"
+
+namespace raylab::lab04 {
+
+template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& query) {
+    //[ task 4.3
+    const KdRay ray(query.ray());
+    const KdInterval part = inside(tree.bounds, ray);
+    if (!(part.begin <= part.end)) return;
+
+    double t = part.begin;
+    int at = 0;
+    while (at != no_rope && !is_beyond(t, query.reach())) {
+        // Down to the leaf that the ray is in from t on: past the planes that it has met by then.
+        KdNode node;
+        for (;;) {
+            node = tree.nodes[at];
+            if (!query.step()) return;
+            if (node.is_leaf()) break;
+            at = ray.t_at(node) <= t ? ray.second(node) : ray.first(node);
+        }
+        // Out through the first of the three faces that the ray moves towards. Before the blocks
+        // are tested, so that the memory is on its way meanwhile.
+        const KdLeaf& leaf = tree.leaves[tree.leaf_of[at]];
+        t = infinity;
+        at = no_rope;
+        for (int k = 0; k < 3; ++k) {
+            const bool down = ray.is_down(k);
+            const double leave = ray.t_at(k, (down ? leaf.cell.low : leaf.cell.high)[k]);
+            if (leave < t) {
+                t = leave;
+                at = leaf.rope[2 * k + !down];
+            }
+        }
+        if (visit_leaf(node, query)) return;
+    }
+    //| not_implemented("4.3", "walk_kd_ropes()");
+    //| visit_all(tree, query);
+    //]
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,41 @@
+// The walk with a stack: into the nearer half, and the farther one is remembered.
+#pragma once
+
+#include "labs/04_accel/kd/ray.h"
+
+namespace raylab::lab04 {
+
+template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& query) {
+    const KdRay ray(query.ray());
+    KdInterval part = inside(tree.bounds, ray);
+    if (!(part.begin <= part.end) || is_beyond(part.begin, query.reach())) return;
+
+    struct Later {
+        int node;
+        double end; // it begins where what came before it ends
+    } later[kd_max_depth];
+    int waiting = 0, at = 0;
+    for (;;) {
+        const KdNode node = tree.nodes[at];
+        if (!query.step()) return;
+        if (!node.is_leaf()) {
+            const double t = ray.t_at(node);
+            if (t <= part.begin) {
+                at = ray.second(node);
+                continue;
+            }
+            at = ray.first(node);
+            if (t < part.end) {
+                later[waiting++] = {ray.second(node), part.end};
+                part.end = t;
+            }
+            continue;
+        }
+        if (visit_leaf(node, query) || waiting == 0 || is_beyond(part.end, query.reach())) return;
+        --waiting;
+        at = later[waiting].node;
+        part = {part.end, later[waiting].end};
+    }
+}
+
+} // namespace raylab::lab04

@@ -1,0 +1,13 @@
+// Boxes along the Morton curve for those who have no device code of their own.
+#pragma once
+
+#include "common/geometry/shapes.h"
+#include "labs/04_accel/bvh/tree.h"
+
+namespace raylab::lab04 {
+
+// Copies the triangles to the device, builds there, and brings the tree back; depth is left out.
+// seconds: of building alone, without the copies.
+BvhTree build_lbvh(const std::vector<Triangle>& triangles, int threads, double& seconds);
+
+} // namespace raylab::lab04

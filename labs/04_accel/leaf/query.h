@@ -1,0 +1,184 @@
+// What a walk is for: the closest hit, or any. A walk brings a query the leaves that the ray comes
+// to; the query tests what is in them, here triangles, and says how far the walk still has to look.
+//
+// Walks are templates over the query, so there is one of each kind, not two.
+#pragma once
+
+#include "common/geometry/bounds.h"
+#include "common/scene/view.h"
+#include "common/trace/intersect.h"
+#include "labs/04_accel/bvh/bvh.h"
+#include "labs/04_accel/leaf/fetch_ahead.h"
+#include "labs/04_accel/leaf/triangle_block.h"
+
+namespace raylab::lab04 {
+
+// The triangles as leaves hold them, and as the scene does.
+struct Leaves {
+    Array<TriangleBlock> blocks;
+    Array<Triangle> triangles;
+};
+
+// Of one ray: the ledger's nodes and blocks a ray. A node is what is read at once: a pair of boxes,
+// eight boxes, a split plane.
+struct WalkCounts {
+    std::uint32_t nodes = 0;
+    std::uint32_t blocks = 0;
+};
+
+// No walk visits this many nodes. A student's endless one ends here, with a message.
+constexpr std::uint32_t most_steps = 1u << 22;
+
+// What every query has, whatever is in the leaves.
+class Query {
+  public:
+    HD_HOT explicit Query(const Ray& ray) : slab(ray), ray_(ray) {}
+
+    const SlabRay slab; // the ray, for box tests
+
+    HD const Ray& ray() const { return ray_; }
+    HD const WalkCounts& counts() const { return counts_; }
+    HD bool endless() const { return counts_.nodes >= most_steps; }
+
+    // Counts a node. False: this walk has no end, and must return.
+    HD bool step() { return ++counts_.nodes < most_steps; }
+
+  protected:
+    HD void count_block() { ++counts_.blocks; }
+
+  private:
+    Ray ray_;
+    WalkCounts counts_;
+};
+
+class TriangleQuery : public Query {
+  public:
+    HD_HOT TriangleQuery(const Leaves& leaves, const Ray& ray)
+        : Query(ray), leaves_(leaves), glance_(ray, slab.inv_d) {}
+
+    HD int blocks() const { return leaves_.blocks.size; } // all there are
+
+    // A block that may be visited soon.
+    HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
+
+  protected:
+    HD_HOT TriangleGlance look_at(int block, float reach) {
+        count_block();
+        return glance(leaves_.blocks[block], glance_, reach);
+    }
+    HD bool meets(int block, int lane, float& t) const {
+        return intersect(corners_in(leaves_.blocks[block], lane), ShearedRay(ray()), t);
+    }
+    // Of a triangle that the ray passes inside of: only t is left to find.
+    HD bool meets_inside(int block, int lane, float& t) const {
+        return intersect(exact_plane(corners_in(leaves_.blocks[block], lane)), ray(), t);
+    }
+    HD int index_of(int block, int lane) const { return leaves_.blocks[block].index[lane]; }
+    HD int id_of(int index) const { return leaves_.triangles[index].tags.id; }
+
+    // Of the lane's triangle the glance knows already that it is hit.
+    HD_HOT bool is_hit(const TriangleGlance& seen, int lane) const {
+        return seen.sure >> lane & 1 && seen.begin[lane] > 0 && seen.end[lane] < ray().t_max;
+    }
+
+  private:
+    const Leaves& leaves_;
+    GlanceRay glance_;
+};
+
+// The closest hit in (0, ray.t_max); of two at the same t that with the lowest id, so that no
+// structure, and no order of a walk, changes an image.
+//
+// Most rays pass inside of the triangle that they hit, and nothing else comes near that t. The
+// glance's interval decides then, and t is computed once, when the walk is over.
+class ClosestHit : public TriangleQuery {
+  public:
+    HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray)
+        : TriangleQuery(leaves, ray), reach_(ray.t_max) {}
+
+    // A box that was crossed once may lie out of reach later.
+    static constexpr bool reach_shrinks = true;
+
+    // Of two children that lie apart along this axis, which one first: the lower one, 0, or 1?
+    // The nearer one: what is hit early shortens the ray.
+    HD int first(int axis) const { return slab.negative[axis]; }
+
+    // Call it when the walk is over.
+    HD const Hit& hit() {
+        settle();
+        return hit_;
+    }
+
+    // Nothing beyond this t matters. At it, a lower id does: walks skip a box only if it begins
+    // behind it.
+    HD float reach() const { return reach_; }
+
+    // Tests a block of triangles. True: the walk may end.
+    HD_HOT bool visit(int block) {
+        const TriangleGlance seen = look_at(block, reach_);
+        for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
+            const int lane = lowest_bit(left);
+            if (seen.begin[lane] > reach_) continue;
+            if (is_hit(seen, lane) && seen.end[lane] < begin_) {
+                block_ = block, lane_ = lane;
+                begin_ = seen.begin[lane], reach_ = seen.end[lane];
+                continue;
+            }
+            settle();
+            float t;
+            if (meets(block, lane, t)) found(index_of(block, lane), t);
+        }
+        return false;
+    }
+
+  private:
+    // The exact t of the hit that a glance has found.
+    HD void settle() {
+        if (lane_ < 0) return;
+        float t;
+        if (meets_inside(block_, lane_, t)) {
+            hit_ = {};
+            found(index_of(block_, lane_), t);
+        }
+        lane_ = -1;
+    }
+    HD void found(int index, float t) {
+        const int id = id_of(index);
+        if (hit_.is_beaten_by(t, id)) hit_ = {t, id, Shape::triangle, index};
+        begin_ = reach_ = glm::min(hit_.t, ray().t_max);
+    }
+
+    Hit hit_;                        // exact; lane_ >= 0: something closer has been found
+    int block_, lane_ = -1;          // by a glance, there,
+    float begin_ = infinity, reach_; // within this interval
+};
+
+// Whether anything is in (0, ray.t_max): the first hit found ends the walk.
+class AnyHit : public TriangleQuery {
+  public:
+    using TriangleQuery::TriangleQuery;
+
+    static constexpr bool reach_shrinks = false;
+
+    // The farther one: what is near is mostly the surface that the ray leaves, and the small things
+    // upon it; what it ends at, a wall perhaps, is behind them.
+    HD int first(int axis) const { return !slab.negative[axis]; }
+
+    HD bool found() const { return found_; }
+    HD float reach() const { return ray().t_max; }
+
+    HD_HOT bool visit(int block) {
+        const TriangleGlance seen = look_at(block, reach());
+        for (std::uint32_t left = seen.maybe; left != 0 && !found_; left &= left - 1) {
+            const int lane = lowest_bit(left);
+            float t;
+            found_ = is_hit(seen, lane) || meets(block, lane, t);
+        }
+        return found_;
+    }
+
+  private:
+    bool found_ = false;
+};
+
+} // namespace raylab::lab04

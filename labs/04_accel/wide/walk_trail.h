@@ -1,0 +1,67 @@
+// Without a stack: a trail of eight bits a level, and parent pointers.
+//
+// A bit says that a child was crossed and is still to be visited. Sixteen levels are two machine
+// words, shifted down a level's bits when the walk descends and back when it climbs: that is all
+// the walk remembers, in registers.
+#pragma once
+
+#include "labs/04_accel/leaf/fetch_ahead.h"
+#include "labs/04_accel/wide/wide_bvh.h"
+
+namespace raylab::lab04 {
+
+// Eight bits for each level above the current one.
+struct Trail {
+    std::uint64_t low = 0, high = 0;
+
+    HD void push(std::uint32_t bits) {
+        high = high << 8 | low >> 56;
+        low = low << 8 | bits;
+    }
+    HD std::uint32_t pop() {
+        const std::uint32_t bits = low & 0xff;
+        low = low >> 8 | high << 56;
+        high >>= 8;
+        return bits;
+    }
+};
+
+template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query) {
+    if (bvh.nodes.size == 0) return;
+    const WideRay ray(query.ray(), query.slab.inv_d, bvh.extent);
+    const int octant = octant_of(query);
+    const float whole = query.reach();
+    Trail trail;
+    const WideNode* node = &bvh.nodes[0];
+    std::uint32_t left = wide_slots(*node); // slots of this node, still to be visited
+    bool fresh = true;                      // the walk has come from above
+    while (true) {
+        if (fresh || (Query::reach_shrinks && query.reach() < whole)) {
+            if (!query.step()) return;
+            left &= crossed(*node, ray, query.reach());
+        }
+        fresh = false;
+        if (left != 0) {
+            const int slot = first_in_order(left, node->order[octant]);
+            left &= ~(1u << slot);
+            if (node->leaf >> slot & 1) {
+                if (query.visit(block_in(*node, slot))) return;
+            } else {
+                trail.push(left);
+                node = &bvh.nodes[child_in(*node, slot)];
+                fetch_ahead(bvh.nodes.data +
+                            node->first_child); // before it is known which it will be
+                query.ask_for(node->first_block);
+                left = wide_slots(*node);
+                fresh = true;
+            }
+        }
+        while (left == 0) {
+            if (node->parent < 0) return;
+            node = &bvh.nodes[node->parent];
+            left = trail.pop();
+        }
+    }
+}
+
+} // namespace raylab::lab04
