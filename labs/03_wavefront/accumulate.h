@@ -28,6 +28,8 @@ struct Results {
 };
 
 HD void accumulate_path(const Wave& wave, int slot, const Results& results) {
+    // Steps:
+    // 1. Add the slot's radiance, one sample, to the pixel that the pool names.
     //[ task 3.1
     add_sample(results.film[wave.pool.pixel[slot]], wave.pool.radiance[slot]);
     //| not_implemented("3.1", "accumulate_path()");

@@ -26,6 +26,9 @@ __global__ void flag_clear_bit(const std::uint8_t* key, int bit, const int* slot
 
 __global__ void scatter_kept(const int* live, int n, const std::uint32_t* flags,
                              const std::uint32_t* places, int* kept) {
+    // Steps:
+    // 1. Find the number i of this thread in the grid. A thread from n on has nothing to do.
+    // 2. If slot i is flagged, write the slot to its place.
     //[ task 3.3
     const std::int64_t i = global_index();
     if (i < n && flags[i]) kept[places[i]] = live[i];
@@ -36,6 +39,10 @@ __global__ void scatter_kept(const int* live, int n, const std::uint32_t* flags,
 // Those before their place in the second group: all of the first, and those of i that were not.
 __global__ void scatter_split(const int* slots, int n, const std::uint32_t* flags,
                               const std::uint32_t* places, int first_group, int* result) {
+    // Steps:
+    // 1. Find the number i of this thread in the grid. A thread from n on has nothing to do.
+    // 2. A flagged slot: its place is that of the scan.
+    // 3. Another: count those before i that are not flagged either; the first group goes before.
     //[ task 3.3
     const std::int64_t i = global_index();
     if (i >= n) return;
@@ -84,6 +91,10 @@ int Compaction::scan_flags(int n) {
 
 int Compaction::keep_alive(const std::uint8_t* alive, const int* live, int n, int* kept) {
     if (n == 0) return 0;
+    // Steps:
+    // 1. Flag the slots that are alive, a thread each.
+    // 2. Scan the flags: places, and how many there are.
+    // 3. Scatter the flagged slots, check the launches, return how many.
     //[ task 3.3
     const int blocks = blocks_for(n, block_);
     flag_alive<<<blocks, block_>>>(alive, live, n, flags_.data());
@@ -101,6 +112,10 @@ int Compaction::keep_alive(const std::uint8_t* alive, const int* live, int n, in
 void Compaction::split_by_bit(const std::uint8_t* key, int bit, const int* slots, int n,
                               int* result) {
     if (n == 0) return;
+    // Steps:
+    // 1. Flag the slots whose bit is clear, a thread each.
+    // 2. Scan the flags: places, and the size of the first group.
+    // 3. Scatter both groups, and check the launches.
     //[ task 3.3
     const int blocks = blocks_for(n, block_);
     flag_clear_bit<<<blocks, block_>>>(key, bit, slots, n, flags_.data());

@@ -20,6 +20,10 @@ namespace raylab::lab03 {
 // Why camera rays differ from one iteration to the next, and what could be changed; nothing if they
 // are always the same.
 inline std::optional<std::string> no_first_bounce_cache(const Scene& scene) {
+    // Steps:
+    // 1. A lens: say why each sample's ray differs, and what could be changed.
+    // 2. Jitter: the same.
+    // 3. Else there is nothing to be said.
     //[ task 3.4
     if (scene.camera.lens_radius > 0)
         return "the camera has a lens: each sample starts elsewhere on it (lens_radius 0 is a "
@@ -45,6 +49,9 @@ template <class Search>
 HD Hit cached_hit(const FirstBounceCache& cache, int bounce, std::uint32_t pixel,
                   const Search& search) {
     if (cache.hits == nullptr || bounce > 0) return search();
+    // Steps:
+    // 1. Not filled yet: search, and keep the hit of this pixel.
+    // 2. Return what is kept.
     //[ task 3.4
     if (!cache.filled) cache.hits[pixel] = search();
     return cache.hits[pixel];

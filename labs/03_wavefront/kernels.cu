@@ -120,6 +120,10 @@ StageKernels choose_kernels(Features features, Integrator integrator, bool share
 
 __global__ void generate_kernel(const Wave* wave, int first, int n, int dealt,
                                 std::uint32_t shuffle, int* live) {
+    // Steps:
+    // 1. Find the number i of this thread in the grid. A thread from n on has nothing to do.
+    // 2. Slot i gets the path of pixel first + shuffled(i, dealt, shuffle).
+    // 3. The slot joins the list, at place i.
     //[ task 3.1
     const std::int64_t i = global_index();
     if (i >= n) return;

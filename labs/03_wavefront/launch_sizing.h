@@ -21,6 +21,9 @@ struct LaunchSize {
 
 // threads: of the launch, one a path. in_flight: from blocks_in_flight().
 inline LaunchSize launch_size(std::int64_t threads, int block, int in_flight) {
+    // Steps:
+    // 1. Blocks: as many as the threads need; the last one may be part full.
+    // 2. Batches: as many as the blocks need, rounded up in the same way.
     //[ task 3.6
     const int blocks = blocks_for(threads, block);
     return {blocks, in_flight, (blocks + in_flight - 1) / in_flight};
@@ -51,6 +54,12 @@ struct BlockNeeds {
 // Blocks that fit: the scarcest resource decides. (The hardware deals registers and shared memory
 // out in chunks; cudaOccupancy... knows their sizes.)
 inline int blocks_that_fit(const MultiprocessorLimits& has, const BlockNeeds& needs) {
+    // Steps:
+    // 1. How many do the places for blocks and for threads allow?
+    // 2. How many do the registers allow? A block takes them for each of its threads; 0 is no
+    //    limit.
+    // 3. How many does shared memory allow? 0 is no limit.
+    // 4. Return the least.
     //[ task 3.6
     int fit = std::min(has.blocks, has.threads / needs.threads);
     if (needs.registers_per_thread > 0)

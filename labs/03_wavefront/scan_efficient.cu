@@ -24,6 +24,14 @@ __global__ void efficient_kernel(const std::uint32_t* in, std::uint32_t* out, st
     const int t = static_cast<int>(threadIdx.x);
     const std::int64_t first = global_index() * thread_items;
     std::uint32_t items[thread_items];
+    // Steps:
+    // 1. Load the thread's numbers; their sum is leaf t of the tree.
+    // 2. Up, with strides 1, 2, 4, ...: a barrier, then the t-th node of the level takes in the sum
+    //    that lies `stride` places before it.
+    // 3. A barrier; one thread writes the root to sums, and then clears it.
+    // 4. Down, with strides ..., 4, 2, 1: a barrier, then the t-th node hands its value to the
+    //    place `stride` before it, and adds the sum that was there to its own.
+    // 5. A barrier; store the numbers' scan behind what leaf t holds now.
     //[ task 3.2
     tree[padded(t)] = load_items(in, n, first, items);
 

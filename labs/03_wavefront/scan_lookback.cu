@@ -50,6 +50,15 @@ __device__ TileWord read_now(const TileWord* word) {
 // at the nearest.
 __device__ std::uint32_t look_back(const TileWord* words, std::int64_t tile) {
     std::uint32_t before = 0;
+    // Steps:
+    // 1. Begin at the tile before this one, and look at 32 at a time, lane k at the k-th from
+    //    there.
+    // 2. Each lane reads its tile's word until it says something. In front of tile 0 a lane has a
+    //    complete sum of 0.
+    // 3. Vote: which lanes see a complete sum? The lowest of them is the last to be added; without
+    //    any it is lane 31.
+    // 4. Add the sums of the lanes up to that one, so that every lane knows the total.
+    // 5. Return after a complete sum; else go on with the next 32 tiles.
     //[ task 3.7
     const int lane = static_cast<int>(threadIdx.x) % 32;
     for (std::int64_t nearest = tile - 1;; nearest -= 32) {
@@ -72,6 +81,8 @@ __device__ std::uint32_t look_back(const TileWord* words, std::int64_t tile) {
 
 // The tile of this block; asked by one thread.
 __device__ unsigned take_tile(TileBoard* board) {
+    // Steps:
+    // 1. Take the number that the board's counter shows and move the counter on, in one operation.
     //[ task 3.7
     return atomicAdd(&board->next_tile, 1u);
     //| not_implemented("3.7", "scan_lookback: take_tile()");

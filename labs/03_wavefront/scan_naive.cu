@@ -26,6 +26,10 @@ __global__ void shift_kernel(const std::uint32_t* in, std::uint32_t* out, std::i
 
 __global__ void round_kernel(const std::uint32_t* from, std::uint32_t* to, std::int64_t n,
                              std::int64_t distance) {
+    // Steps:
+    // 1. Find the number i of this thread in the grid. A thread from n on has nothing to do.
+    // 2. Read `from` only: its element i, plus the one `distance` places before it if there is one.
+    // 3. Write element i of `to`, in either case.
     //[ task 3.2
     const std::int64_t i = global_index();
     if (i < n) to[i] = i < distance ? from[i] : from[i - distance] + from[i];

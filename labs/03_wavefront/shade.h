@@ -25,6 +25,14 @@ HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
 
 // Returns whether the slot has a shadow ray to be traced.
 template <Features F> HD bool shade_path(const Wave& wave, int slot) {
+    // Steps:
+    // 1. Read ray, bounce and throughput; find surface, material, reflectance and wo.
+    // 2. The throughput times what the surface emits joins the radiance.
+    // 3. At the last surface the path ends by depth, without a shadow ray.
+    // 4. Ask for a shadow ray. One that is sent goes into the pool, its light times the throughput.
+    // 5. Choose a direction. Without a valid one the path is absorbed; roulette may end it, too.
+    // 6. Else write what the next bounce reads: ray, throughput, density, bounce.
+    // 7. Return whether there is a shadow ray.
     //[ task 3.1
     const SceneView& scene = wave.scene;
     const RenderSettings& settings = wave.settings;

@@ -27,6 +27,12 @@ HD Vec3 light_from_all(const Wave& wave, int slot, const SurfacePoint& surface, 
 }
 
 template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
+    // Steps:
+    // 1. Read ray, throughput and depth; find surface, material, reflectance and wo.
+    // 2. The throughput times the emission joins the radiance. The last surface ends the branch.
+    // 3. Diffuse or glossy: the throughput times the light of all lights, and the branch ends.
+    // 4. Specular: split. The refracted ray waits on the stack, as node 2 n + 1.
+    // 5. The reflected ray becomes the slot's, as node 2 n: ray, throughput, depth, node.
     //[ task 3.1
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;

@@ -46,6 +46,10 @@ template <class T> __device__ void move_to_shared(Array<T>& array, unsigned char
 // of the block must call it, and wait for each other before they use it.
 template <Features F>
 __device__ SceneView geometry_in_shared_memory(SceneView scene, void* memory) {
+    // Steps:
+    // 1. What is free begins at `memory`, as bytes.
+    // 2. Move each array that F has, one after the other: spheres and their groups, quads and their
+    //    groups, planes, triangles and their runs. move_to_shared() moves what is free on.
     //[ task 3.5
     auto* free = static_cast<unsigned char*>(memory);
     if constexpr (F & feature::sphere) move_to_shared(scene.spheres, free);

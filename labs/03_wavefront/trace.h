@@ -29,6 +29,12 @@ template <Features F> HD MaterialKind kind_at(const SceneView& scene, const Hit&
 // or its branch of the tree. scene: wave.scene, perhaps with its shapes in faster memory.
 template <Features F, Integrator I>
 HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
+    // Steps:
+    // 1. Find what the slot's ray meets, with cached_hit(); its search is intersect<F>(scene, ray).
+    // 2. Record the hit, and write it into the pool.
+    // 3. A hit: write the kind of its material, and return.
+    // 4. A miss: the kind is no_kind; the throughput times the sky's light joins the radiance.
+    // 5. A path ends here as escaped. Whitted's tree goes on with its next branch.
     //[ task 3.1
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);
@@ -57,6 +63,9 @@ HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
 
 // The shadow ray's light joins the path's if nothing is in its way.
 template <Features F> HD void shadow_path(const Wave& wave, const SceneView& scene, int slot) {
+    // Steps:
+    // 1. Put the shadow ray together from the pool: origin, direction, t_max.
+    // 2. If nothing is in its way, its light joins the radiance.
     //[ task 3.1
     const PoolView& pool = wave.pool;
     const Ray shadow_ray = {pool.shadow_ray_origin[slot], pool.shadow_ray_direction[slot],

@@ -22,6 +22,8 @@ void append(const BvhTree& tree, int child, const Bounds& box, std::vector<SkipN
 std::vector<SkipNode> lay_skip_links(const BvhTree& tree) {
     std::vector<SkipNode> line;
     if (tree.nodes.empty()) return line;
+    // Steps:
+    // 1. Append what hangs in the root: its two children in order, each with its box.
     //[ task 4.7
     const BvhNode& root = tree.nodes[0];
     for (int k = 0; k < 2; ++k) append(tree, root.child[k], child_box(root, k), line);

@@ -43,6 +43,12 @@ Bounds common(const Bounds& a, const Bounds& b) {
 
 // The best plane between two of the bins, if it beats `best`.
 void choose_plane(const Bins& bin, int axis, Split& best) {
+    // Steps:
+    // 1. From the right: for each plane the box and the number of all that lies in the bins behind
+    //    it.
+    // 2. From the left, plane by plane: the box and the number of all before it.
+    // 3. The plane's cost; one with nothing on a side is none.
+    // 4. Keep the plane if it costs less than the best, with the overlap of the two boxes.
     //[ task 4.9
     std::array<Bounds, bins> right_box;
     std::array<int, bins> right_count;
@@ -102,6 +108,11 @@ void chop(const Triangle& triangle, const Bounds& box, int axis, const Slices& s
 // where even this is too much. 0 is right too, and slow.
 double least_cost([[maybe_unused]] std::span<const BuildItem> items, [[maybe_unused]] int axis,
                   [[maybe_unused]] const Slices& slice) {
+    // Steps:
+    // 1. Sort the boxes into bins twice: by where they begin, and by where they end.
+    // 2. Left of a plane lies at least the box of those that end before it, and at least as many as
+    //    begin before it; right of it in the same way.
+    // 3. Return the least of all planes' two sides together.
     //[ task 4.9
     Bins low, high; // by where boxes begin, and by where they end
     for (const BuildItem& item : items) {
@@ -148,6 +159,9 @@ Split best_cut_between(std::span<const BuildItem> items, const Bounds& centres) 
         if (!has_extent(centres, axis)) continue;
         const Slices slice(centres, axis);
         Bins bin;
+        // Steps:
+        // 1. For each item: the bin of the slice that has its centre takes in the whole of its box.
+        // 2. It counts there as beginning and as ending.
         //[ task 4.9
         for (const BuildItem& item : items) {
             Bin& b = bin[slice(item.centre(axis))];

@@ -15,6 +15,14 @@ namespace raylab::lab04 {
 
 template <class Query> HD void walk_bvh_parent(const BvhView& bvh, Query& query) {
     if (bvh.nodes.size == 0) return;
+    // Steps:
+    // 1. Begin at the root, coming from above. At each node a step().
+    // 2. Which child is the near one follows from the query and the node's axis, always the same.
+    // 3. Which child to look at: from above the near one, back from it the far one, else none.
+    // 4. Cross both boxes within reach: a near child that is missed gives its turn to the far one,
+    //    a far one that is missed to none.
+    // 5. None: up, coming back from this node; at the root return.
+    // 6. A leaf: visit it, return if it says so, and come back from it. A node: down, from above.
     //[ task 4.8
     int node = 0, from = -1; // -1: from above
     while (true) {

@@ -8,6 +8,11 @@
 namespace raylab::lab04 {
 
 template <class Query> HD void walk_bvh_skip(const SkipView& line, Query& query) {
+    // Steps:
+    // 1. Begin at the line's first node, and go on to the line's end, with a step() at each node.
+    // 2. Does the ray cross the node's box within reach?
+    // 3. If so and if it is a leaf, visit its block; return if the visit says so.
+    // 4. On to the next node if the box was met, else to where the skip link leads.
     //[ task 4.7
     int at = 0;
     while (at < line.nodes.size) {

@@ -89,6 +89,13 @@ class Builder {
 
     // Cuts the cell where that costs least, if a leaf costs more and the limits allow it: what is
     // below stays on work_, and what is above goes to later_.
+    // Steps:
+    // 1. Find the best plane, unless one block holds all or no cut is left on this path.
+    // 2. Return nothing if a leaf costs no more, or if the cut adds more copies than are left.
+    // 3. Part the references. One that reaches across the plane is clipped into two (clip_.cut());
+    //    an empty part is dropped.
+    // 4. What the cut added is taken off the copies; the rest is shared out by the halves' sizes.
+    // 5. Each half gets its part of the box, and one cut less.
     //[ task 4.1
     std::optional<Halves> cut(const Cell& cell, std::size_t begin) {
         const std::span<const KdReference> here(work_.data() + begin, work_.size() - begin);

@@ -33,6 +33,9 @@ class Layer {
         Bounds lower = cell, upper = cell;
         lower.high[axis] = upper.low[axis] = node.split;
         Ropes lower_ropes = ropes, upper_ropes = ropes;
+        // Steps:
+        // 1. The lower child's upper face across this axis leads to the upper child.
+        // 2. The upper child's lower face leads to the lower child.
         //[ task 4.2
         lower_ropes[2 * axis + 1] = node.above();
         upper_ropes[2 * axis] = node.below();
@@ -46,6 +49,10 @@ class Layer {
   private:
     // The smallest node in the subtree `rope` that still covers the whole face of the cell.
     int pushed_down(int rope, int face, const Bounds& cell) const {
+        // Steps:
+        // 1. Go down while the rope leads to an inner node.
+        // 2. Its plane is across the face's axis: to the child that touches the face.
+        // 3. Across another axis: to the child that covers the whole face; if neither does, stop.
         //[ task 4.2
         while (rope != no_rope && !tree_.nodes[rope].is_leaf()) {
             const KdNode& node = tree_.nodes[rope];

@@ -34,6 +34,12 @@ class Search {
 
     // below, above: triangles that reach into the part of the cell on that side.
     void consider(float plane, int below, int above) {
+        // Steps:
+        // 1. A plane that is not strictly inside the cell is refused, and one with all on both
+        //    sides.
+        // 2. Find the two parts' areas: faces_, and around_ times the part's length.
+        // 3. Compute the cost (kd/split.h), times the empty factor if one side has nothing.
+        // 4. Keep the plane if it costs less than the best.
         //[ task 4.1
         const double low = at(cell_.low, axis_), high = at(cell_.high, axis_);
         if (!(plane > low && plane < high) || (below == n_ && above == n_)) return;
@@ -59,6 +65,10 @@ class Search {
 };
 
 void try_every_place(std::span<const KdReference> references, int axis, Search& search) {
+    // Steps:
+    // 1. Sort along the axis where boxes begin, and apart from them where boxes end.
+    // 2. Go up through both lists; the next plane is at whichever comes first.
+    // 3. At a plane: first pass the ends up to it, then consider it, then pass what begins there.
     //[ task 4.1
     const int n = int(references.size());
     std::array<float, few> begin, end;
@@ -81,6 +91,11 @@ void try_every_place(std::span<const KdReference> references, int axis, Search& 
 
 void try_bins(std::span<const KdReference> references, const Bounds& cell, int axis,
               Search& search) {
+    // Steps:
+    // 1. Count in which of the bins each box begins, and in which it ends.
+    // 2. Consider the place where the first box begins, and the place where the last one ends.
+    // 3. Go up the planes between bins: what began in the bin before is below from now on, what
+    //    ended there is no longer above. Consider each plane with both counts.
     //[ task 4.1
     const float low = cell.low[axis], high = cell.high[axis];
     const float width = (high - low) / bins;

@@ -12,6 +12,14 @@
 namespace raylab::lab04 {
 
 template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& query) {
+    // Steps:
+    // 1. Find the part of the ray inside the root's cell: the rest. Without one return.
+    // 2. Until the rest begins beyond reach: go down from the root, with a step() at each node.
+    // 3. Past a plane that the ray has met by the rest's begin to the second child; else to the
+    //    first, and the leaf ends at this plane at the latest.
+    // 4. While the rest lies in one child alone, the root moves down along.
+    // 5. Visit the leaf; return if it says so or if it ends where the rest does. The rest begins
+    //    where the leaf ends.
     //[ task 4.3
     const KdRay ray(query.ray());
     KdInterval rest = inside(tree.bounds, ray);

@@ -8,6 +8,13 @@
 namespace raylab::lab04 {
 
 template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& query) {
+    // Steps:
+    // 1. Find the part of the ray inside the root's cell; without one there is nothing to do.
+    // 2. Until there is no node, or t is beyond reach:
+    // 3. Go down to the leaf, with a step() at each node: past a plane that the ray has met by t to
+    //    the second child, else to the first.
+    // 4. Of the three faces that the ray moves towards, take the one of least t: that t, its rope.
+    // 5. Visit the leaf; return if it says so.
     //[ task 4.3
     const KdRay ray(query.ray());
     const KdInterval part = inside(tree.bounds, ray);

@@ -70,6 +70,10 @@ __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std:
     const std::int64_t thread = global_index();
     if (thread >= codes.size - 1) return;
     const int i = static_cast<int>(thread);
+    // Steps:
+    // 1. Find the range of node i. One that fits into a block is not kept.
+    // 2. Else it is; each child that fits into a block is a leaf, which begins at its first
+    //    triangle.
     //[ task 4.5
     const KarrasNode node = karras_node(codes, i);
     if (!is_large(node.first, node.last)) return;
@@ -93,6 +97,12 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
     const std::int64_t thread = global_index();
     if (thread >= codes.size - 1 || !kept[thread]) return;
     const int i = static_cast<int>(thread), self = static_cast<int>(node_numbers[i]);
+    // Steps:
+    // 1. Find the range of node i.
+    // 2. A child too large for a block is an inner node: the left one has the number `split`, the
+    //    right one the next. Look its new number up. Else it is the leaf that begins there:
+    //    ~number.
+    // 3. Set the node's axis.
     //[ task 4.5
     const KarrasNode node = karras_node(codes, i);
     const auto number = [&](int first, int last, int inner) {
@@ -165,6 +175,11 @@ __global__ void refit_kernel(const TriangleBlock* blocks, int leaves, const int*
                              BvhNode* nodes, int* arrived) {
     const std::int64_t leaf = global_index();
     if (leaf >= leaves) return;
+    // Steps:
+    // 1. Begin with the box of this thread's leaf, and with the leaf's parent.
+    // 2. Write the box into the parent, on the side of the child that this thread comes from.
+    // 3. A fence; count the arrival. The first of two ends here.
+    // 4. A fence; go on with the union of both boxes, to the next parent, until there is none.
     //[ task 4.6
     Bounds box = bounds_of(blocks[leaf]);
     int child = ~static_cast<int>(leaf), at = leaf_parents[leaf];

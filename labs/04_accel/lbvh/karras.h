@@ -42,6 +42,13 @@ struct KarrasNode {
 
 // Node i of n - 1, n > 1. Node 0 is the root.
 HD KarrasNode karras_node(Array<std::uint32_t> codes, int i) {
+    // Steps:
+    // 1. Which neighbour of i is closer? The range goes to its side.
+    // 2. Double the reach until a leaf shares no more bits with i than the other neighbour does.
+    // 3. Halve the step to find the last leaf that shares more: the range's other end.
+    // 4. How many bits does all of the range share? Halve again to find the last leaf, from i on,
+    //    that shares more: there the range is split.
+    // 5. Return first, last and split for either direction; split is where the left half ends.
     //[ task 4.5
     // The range goes to the side on which the neighbour is closer,
     const int step = shared_bits(codes, i, i + 1) > shared_bits(codes, i, i - 1) ? 1 : -1;

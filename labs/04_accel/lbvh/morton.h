@@ -17,6 +17,9 @@ constexpr int morton_bits = 10; // of each coordinate
 
 // Puts two zeros in front of each of the lowest ten bits.
 HD std::uint32_t spread(std::uint32_t x) {
+    // Steps:
+    // 1. Four times halve the distance: 16, 8, 4, 2. Move the upper half of each group of bits away
+    //    by it, and keep by a mask what is in its new place.
     //[ task 4.4
     x = (x | x << 16) & 0x030000ff;
     x = (x | x << 8) & 0x0300f00f;
@@ -29,6 +32,10 @@ HD std::uint32_t spread(std::uint32_t x) {
 
 // The code of a point in `box`; what lies outside counts as on the box's face.
 HD std::uint32_t morton_code(Vec3 p, const Bounds& box) {
+    // Steps:
+    // 1. For each axis: how far, from 0 to 1, is p on the way through the box? 0 without extent.
+    // 2. Which of the 1024 cells is that? What lies outside is in the first or the last.
+    // 3. Spread the cell's bits and put them in their place: x highest, z lowest.
     //[ task 4.4
     constexpr int cells = 1 << morton_bits;
     std::uint32_t code = 0;
