@@ -35,17 +35,17 @@ __global__ void count_wasted_cycles(const PathRecord* records, int pixels, int m
     BounceTally* tally = tallies + static_cast<long long>(shard) * max_bounces;
 
     int longest = 0;
-    unsigned long long shadow_rays = 0;
+    unsigned long long sent = 0;
     for (int lane = 0; lane < warp_lanes && first + lane < pixels; ++lane) {
         const PathRecord record = records[first + lane];
         const int last = min(static_cast<int>(record.length), max_bounces) - 1;
         atomicAdd(&tally[last].ended[static_cast<int>(record.end)], 1ull);
         longest = max(longest, last);
-        shadow_rays += record.shadow_rays;
+        sent += record.shadow_rays;
     }
     // A warp is busy from bounce 0 to the end of its longest path.
     atomicAdd(&tally[longest].warps_ended, 1ull);
-    atomicAdd(&shadow_rays[shard], shadow_rays);
+    atomicAdd(&shadow_rays[shard], sent);
     //| not_implemented("2.6", "count_wasted_cycles()");
     //]
 }

@@ -1,6 +1,7 @@
 // A launch for every stage; see wavefront.h.
 #include "labs/03_wavefront/wavefront.h"
 
+#include "common/scene/scene_features.h"
 #include "labs/03_wavefront/launch_sizing.h"
 #include "labs/03_wavefront/memory_budget.h"
 #include "labs/03_wavefront/shared_geometry.h"

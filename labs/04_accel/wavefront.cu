@@ -1,6 +1,7 @@
 // A launch for every stage; see wavefront.h.
 #include "labs/04_accel/wavefront.h"
 
+#include "common/scene/scene_features.h"
 #include "labs/04_accel/memory_budget.h"
 #include "labs/04_accel/shapes/kernels.h"
 
