@@ -39,12 +39,12 @@ struct Trees {
     BvhTree bvh;
     std::vector<SkipNode> skip;
     WideTree wide;
-    const std::vector<TriangleBlock>* blocks = nullptr;
+    const std::vector<TrianglePack>* packs = nullptr;
     double bytes = 0;
 
     StructureView view(std::span<const Triangle> triangles) const {
         StructureView view;
-        view.leaves = {array_of(*blocks), {triangles.data(), static_cast<int>(triangles.size())}};
+        view.leaves = {array_of(*packs), {triangles.data(), static_cast<int>(triangles.size())}};
         view.kd = kd.view();
         view.bvh = {array_of(bvh.nodes)};
         view.skip = {array_of(skip)};
@@ -59,7 +59,7 @@ using Builder = std::optional<double> (*)(Trees& trees, const std::vector<Triang
 
 std::optional<double> build_kd(Trees& trees, const std::vector<Triangle>& triangles, int threads) {
     trees.kd = build_kd_tree(triangles, {.threads = threads});
-    trees.blocks = &trees.kd.blocks;
+    trees.packs = &trees.kd.packs;
     trees.bytes = double(trees.kd.bytes());
     return std::nullopt;
 }
@@ -68,15 +68,15 @@ std::optional<double> build_kd_with_ropes(Trees& trees, const std::vector<Triang
                                           int threads) {
     trees.kd = build_kd_tree(triangles, {.threads = threads});
     lay_ropes(trees.kd);
-    trees.blocks = &trees.kd.blocks;
+    trees.packs = &trees.kd.packs;
     trees.bytes = double(trees.kd.bytes());
     return std::nullopt;
 }
 
 std::optional<double> build_sah(Trees& trees, const std::vector<Triangle>& triangles, int threads) {
     trees.bvh = build_bvh_sah(triangles, threads);
-    trees.blocks = &trees.bvh.blocks;
-    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
+    trees.packs = &trees.bvh.packs;
+    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.pack_bytes());
     return std::nullopt;
 }
 
@@ -85,8 +85,8 @@ std::optional<double> build_morton(Trees& trees, const std::vector<Triangle>& tr
                                    int threads) {
     double seconds = 0;
     trees.bvh = build_lbvh(triangles, threads, seconds);
-    trees.blocks = &trees.bvh.blocks;
-    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.block_bytes());
+    trees.packs = &trees.bvh.packs;
+    trees.bytes = double(trees.bvh.node_bytes() + trees.bvh.pack_bytes());
     return seconds;
 }
 
@@ -95,7 +95,7 @@ std::optional<double> build_skip(Trees& trees, const std::vector<Triangle>& tria
                                  int threads) {
     build_sah(trees, triangles, threads);
     trees.skip = lay_skip_links(trees.bvh);
-    trees.bytes = double(trees.skip.size() * sizeof(SkipNode) + trees.bvh.block_bytes());
+    trees.bytes = double(trees.skip.size() * sizeof(SkipNode) + trees.bvh.pack_bytes());
     trees.bvh.nodes = {};
     return std::nullopt;
 }
@@ -103,8 +103,8 @@ std::optional<double> build_skip(Trees& trees, const std::vector<Triangle>& tria
 std::optional<double> build_eight_wide(Trees& trees, const std::vector<Triangle>& triangles,
                                        int threads) {
     trees.wide = build_wide(build_bvh_sah(triangles, threads));
-    trees.blocks = &trees.wide.blocks;
-    trees.bytes = double(trees.wide.node_bytes() + trees.wide.block_bytes());
+    trees.packs = &trees.wide.packs;
+    trees.bytes = double(trees.wide.node_bytes() + trees.wide.pack_bytes());
     return std::nullopt;
 }
 
@@ -147,7 +147,7 @@ template <class Walk> class WalkedTree : public RayStructure {
             Query query(view_.leaves, ray);
             Walk()(view_, query);
             counts.nodes += query.counts().nodes;
-            counts.triangles += double(query.counts().blocks) * triangles_per_block;
+            counts.triangles += double(query.counts().packs) * triangles_per_pack;
         }
         return counts;
     }

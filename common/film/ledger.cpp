@@ -26,11 +26,11 @@ double per_ray(std::uint64_t visits, const WalkSums& walks) {
     return walks.rays == 0 ? 0.0 : static_cast<double>(visits) / static_cast<double>(walks.rays);
 }
 
-// blocks: what is tested in the leaves, "triangle_blocks" or "groups".
-nlohmann::ordered_json walks_json(const WalkSums& walks, const char* blocks) {
+// packs: the name of what is tested in the leaves, "triangle_packs" or "groups".
+nlohmann::ordered_json walks_json(const WalkSums& walks, const char* packs) {
     return {{"rays", walks.rays},
             {"nodes_per_ray", per_ray(walks.nodes, walks)},
-            {fmt::format("{}_per_ray", blocks), per_ray(walks.blocks, walks)}};
+            {fmt::format("{}_per_ray", packs), per_ray(walks.packs, walks)}};
 }
 
 nlohmann::ordered_json shapes_json(const ShapeTreeFacts& shapes) {
@@ -50,11 +50,11 @@ nlohmann::ordered_json structure_json(const StructureFacts& structure) {
             {"why", structure.why},
             {"triangles", structure.triangles},
             {"nodes", structure.nodes},
-            {"triangle_blocks", structure.triangle_blocks},
+            {"triangle_packs", structure.triangle_packs},
             {"depth", structure.depth},
             {"bytes", structure.bytes},
             {"build_seconds", structure.build_seconds},
-            {"shadow_rays", walks_json(structure.shadow_rays, "triangle_blocks")}};
+            {"shadow_rays", walks_json(structure.shadow_rays, "triangle_packs")}};
 }
 
 } // namespace
@@ -101,7 +101,7 @@ std::string to_json(const Ledger& ledger) {
             row["blocks"] = bounce.blocks;
             row["batches"] = bounce.batches;
         }
-        if (ledger.structure) row["walks"] = walks_json(bounce.walks, "triangle_blocks");
+        if (ledger.structure) row["walks"] = walks_json(bounce.walks, "triangle_packs");
         json["bounces"].push_back(row);
     }
     return json.dump(2);
@@ -126,25 +126,25 @@ std::string stage_table(const Ledger& ledger) {
                                "", "", 1e3 * rest, share(rest));
 }
 
-std::string walks_head(const char* blocks) {
-    return fmt::format("{:>12} {:>12} {:>12} {:>12}\n", "walks of", "rays", "nodes/ray", blocks);
+std::string walks_head(const char* packs) {
+    return fmt::format("{:>12} {:>12} {:>12} {:>12}\n", "walks of", "rays", "nodes/ray", packs);
 }
 
 std::string walks_row(const std::string& name, const WalkSums& walks) {
     if (walks.rays == 0) return "";
     return fmt::format("{:>12} {:>12} {:>12.2f} {:>12.2f}\n", name, walks.rays,
-                       per_ray(walks.nodes, walks), per_ray(walks.blocks, walks));
+                       per_ray(walks.nodes, walks), per_ray(walks.packs, walks));
 }
 
 // What the structure is, and what a ray visits of it, by bounce.
 std::string structure_table(const Ledger& ledger) {
     const StructureFacts& facts = *ledger.structure;
     std::string table = fmt::format(
-        "{} triangles: {}, {}\n{:>12} nodes, {} blocks of triangles, depth {}, {:.2f} MiB, "
+        "{} triangles: {}, {}\n{:>12} nodes, {} packs of triangles, depth {}, {:.2f} MiB, "
         "built in {:.2f} ms; walk: {}\n",
-        facts.triangles, facts.name, facts.why, facts.nodes, facts.triangle_blocks, facts.depth,
+        facts.triangles, facts.name, facts.why, facts.nodes, facts.triangle_packs, facts.depth,
         static_cast<double>(facts.bytes) / (1 << 20), 1e3 * facts.build_seconds, facts.walk);
-    table += walks_head("blocks/ray");
+    table += walks_head("packs/ray");
     for (std::size_t b = 0; b < ledger.bounces.size(); ++b)
         table += walks_row(fmt::format("bounce {}", b), ledger.bounces[b].walks);
     return table + walks_row("shadow rays", facts.shadow_rays);

@@ -40,9 +40,9 @@ HD void record_shadow_ray(PathRecord& record) { record.shadow_rays += record.sha
 
 // What rays visited of a structure.
 struct WalkSums {
-    std::uint64_t rays = 0;   // that walked
-    std::uint64_t nodes = 0;  // what is read at once: a pair of boxes, eight boxes, a plane
-    std::uint64_t blocks = 0; // tested: of up to eight triangles; or sixteen spheres, or quads
+    std::uint64_t rays = 0;  // that walked
+    std::uint64_t nodes = 0; // what is read at once: a pair of boxes, eight boxes, a plane
+    std::uint64_t packs = 0; // tested: of up to eight triangles; or groups of spheres or quads
 };
 
 // The structure over the triangles, of labs that have one and scenes with triangles.
@@ -50,8 +50,8 @@ struct StructureFacts {
     std::string name, walk; // "wide", "trail"
     std::string why;        // this one
     int triangles = 0;      // of the scene
-    int nodes = 0, triangle_blocks = 0, depth = 0;
-    std::uint64_t bytes = 0;  // of nodes and blocks
+    int nodes = 0, triangle_packs = 0, depth = 0;
+    std::uint64_t bytes = 0;  // of nodes and packs
     double build_seconds = 0; // on the host's clock, without the copy to the device
     WalkSums shadow_rays;     // their walks; those of other rays are counted by bounce
 };

@@ -5,7 +5,7 @@
 #include "labs/04_accel/kd/build.h"
 #include "labs/04_accel/kd/ropes.h"
 #include "labs/04_accel/lbvh/build.h"
-#include "labs/04_accel/leaf/leaf_blocks.h"
+#include "labs/04_accel/leaf/packs.h"
 #include "labs/04_accel/wide/tree.h"
 
 #include <algorithm>
@@ -27,12 +27,12 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::vector<TriangleBlock> all_blocks(const std::vector<Triangle>& triangles) {
+std::vector<TrianglePack> all_packs(const std::vector<Triangle>& triangles) {
     std::vector<int> indices(triangles.size());
     std::iota(indices.begin(), indices.end(), 0);
-    std::vector<TriangleBlock> blocks;
-    append_blocks(triangles, indices, blocks);
-    return blocks;
+    std::vector<TrianglePack> packs;
+    append_packs(triangles, indices, packs);
+    return packs;
 }
 
 // Nodes from the root to the deepest leaf; children come behind their parents.
@@ -81,7 +81,7 @@ void Accel::build(const std::vector<Triangle>& triangles, int threads) {
         kd_leaf_of_ = DeviceArray<std::int32_t>(tree.leaf_of);
         kd_leaves_ = DeviceArray<KdLeaf>(tree.leaves);
         kd_bounds_ = tree.bounds;
-        return keep_blocks(tree.blocks);
+        return keep_packs(tree.packs);
     }
     case AccelKind::lbvh: {
         const DeviceArray<Triangle> on_device(triangles);
@@ -102,12 +102,12 @@ void Accel::build(const std::vector<Triangle>& triangles, int threads) {
         built(tree.levels);
         keep(tree.nodes, wide_);
         wide_extent_ = tree.extent;
-        return keep_blocks(tree.blocks);
+        return keep_packs(tree.packs);
     }
     default: {
-        const std::vector<TriangleBlock> blocks = all_blocks(triangles);
+        const std::vector<TrianglePack> packs = all_packs(triangles);
         built(0);
-        return keep_blocks(blocks);
+        return keep_packs(packs);
     }
     }
 }
@@ -119,7 +119,7 @@ void Accel::keep_tree(const BvhTree& tree) {
         keep(lay_skip_links(tree), skip_);
     else
         keep(tree.nodes, bvh_);
-    keep_blocks(tree.blocks);
+    keep_packs(tree.packs);
 }
 
 template <class Node> void Accel::keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory) {
@@ -128,10 +128,10 @@ template <class Node> void Accel::keep(const std::vector<Node>& nodes, DeviceArr
     facts_.bytes += nodes.size() * sizeof(Node);
 }
 
-void Accel::keep_blocks(const std::vector<TriangleBlock>& blocks) {
-    blocks_ = DeviceArray<TriangleBlock>(blocks);
-    facts_.triangle_blocks = static_cast<int>(blocks.size());
-    facts_.bytes += blocks.size() * sizeof(TriangleBlock);
+void Accel::keep_packs(const std::vector<TrianglePack>& packs) {
+    packs_ = DeviceArray<TrianglePack>(packs);
+    facts_.triangle_packs = static_cast<int>(packs.size());
+    facts_.bytes += packs.size() * sizeof(TrianglePack);
 }
 
 void Accel::build_shapes(const Scene& scene) {
@@ -154,12 +154,12 @@ ShapeTreeView Accel::shapes(const SceneView& scene) const {
 
 StructureView Accel::view(Array<Triangle> triangles) const {
     StructureView view;
-    view.leaves = {array_of(blocks_), triangles};
+    view.leaves = {array_of(packs_), triangles};
     view.bvh = {array_of(bvh_)};
     view.skip = {array_of(skip_)};
     view.wide = {array_of(wide_), wide_extent_};
     view.kd = {kd_bounds_, array_of(kd_), array_of(kd_leaf_of_), array_of(kd_leaves_),
-               facts_.triangle_blocks};
+               facts_.triangle_packs};
     return view;
 }
 

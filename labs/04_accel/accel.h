@@ -40,14 +40,14 @@ class Accel {
     void build(const std::vector<Triangle>& triangles, int threads);
     template <class Node> void keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory);
     void keep_tree(const BvhTree& tree);
-    void keep_blocks(const std::vector<TriangleBlock>& blocks);
+    void keep_packs(const std::vector<TrianglePack>& packs);
     void build_shapes(const Scene& scene);
 
     AccelChoice choice_;
     StructureFacts facts_;
     ShapeTreeFacts shape_facts_;
     DeviceArray<BvhNode> shape_boxes_;
-    DeviceArray<TriangleBlock> blocks_;
+    DeviceArray<TrianglePack> packs_;
     DeviceArray<BvhNode> bvh_;
     DeviceArray<SkipNode> skip_;
     DeviceArray<WideNode> wide_;

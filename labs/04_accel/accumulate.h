@@ -17,9 +17,9 @@ struct EndTally {
     unsigned long long ended[path_ends];
 };
 
-// What walks visited; a block holds eight triangles, or is a group of spheres or quads.
+// What walks visited. packs: of triangles; in the tree over spheres and quads, groups of these.
 struct WalkTally {
-    unsigned long long nodes, blocks;
+    unsigned long long nodes, packs;
 };
 
 // What a batch leaves behind.

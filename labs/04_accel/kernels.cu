@@ -83,14 +83,14 @@ __global__ void generate_kernel(const Wave* wave, int first, int n, int* live) {
 
 __global__ void add_counts_kernel(const WalkCounts* counts, int n, WalkTally* tally) {
     const std::int64_t first = global_index() * counts_per_thread;
-    unsigned long long nodes = 0, blocks = 0;
+    unsigned long long nodes = 0, packs = 0;
     for (std::int64_t i = first; i < first + counts_per_thread && i < n; ++i) {
         nodes += counts[i].nodes;
-        blocks += counts[i].blocks;
+        packs += counts[i].packs;
     }
     if (first >= n) return;
     atomicAdd(&tally->nodes, nodes);
-    atomicAdd(&tally->blocks, blocks);
+    atomicAdd(&tally->packs, packs);
 }
 
 __global__ void accumulate_kernel(const Wave* wave, int n, Results results) {

@@ -14,7 +14,7 @@ constexpr std::size_t building_bytes_per_triangle = 128;
 
 struct MemoryNeeds {
     std::size_t scene_bytes;     // all arrays of the scene
-    std::size_t structure_bytes; // nodes and blocks of triangles
+    std::size_t structure_bytes; // nodes and packs of triangles
     std::size_t film_bytes;      // a pixel each: sums, path record
     std::size_t slot_bytes;      // for each slot of the pool: path, branches, lists, scan
 };

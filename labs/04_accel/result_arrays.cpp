@@ -22,7 +22,7 @@ void ResultArrays::write_to(Ledger& ledger) const {
     if (!ledger.structure && !ledger.shapes) return;
     const std::vector<WalkTally> walks = walks_.to_host();
     const auto sums = [](std::uint64_t rays, const WalkTally& tally) {
-        return WalkSums{rays, tally.nodes, tally.blocks};
+        return WalkSums{rays, tally.nodes, tally.packs};
     };
     if (ledger.shapes) {
         ledger.shapes->rays = sums(0, walks[bounces() + 1]);

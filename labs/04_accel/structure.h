@@ -10,7 +10,7 @@
 namespace raylab::lab04 {
 
 // One of the trees, or none; the others are empty. Whatever the tree, its leaves are numbers
-// of blocks of triangles.
+// of packs of triangles.
 struct StructureView {
     Leaves leaves;
     KdView kd;

@@ -18,9 +18,9 @@ namespace raylab::lab04 {
 namespace {
 
 // Brute force: every triangle of the scene.
-struct AllBlocks {
+struct AllPacks {
     template <class Query> HD static void walk(const StructureView&, Query& query) {
-        visit_all_blocks(query);
+        visit_all_packs(query);
     }
 };
 
@@ -90,7 +90,7 @@ const std::vector<KnownWalk>& known_walks() {
         {AccelKind::kd, WalkKind::stack, kernels<KdStack>},
         {AccelKind::kd, WalkKind::ropes, kernels<KdRopes>},
         {AccelKind::kd, WalkKind::restart, kernels<KdRestart>},
-        {AccelKind::none, WalkKind::automatic, kernels<AllBlocks>},
+        {AccelKind::none, WalkKind::automatic, kernels<AllPacks>},
     };
     return walks;
 }

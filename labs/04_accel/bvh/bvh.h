@@ -14,7 +14,7 @@
 
 namespace raylab::lab04 {
 
-// A child is a node (>= 0), a leaf of one block (~block < 0), or nothing, with a box that no ray
+// A child is a node (>= 0), a leaf of one pack (~pack < 0), or nothing, with a box that no ray
 // crosses.
 struct BvhNode {
     float box[3][2][2]; // axis, side (0 low, 1 high), child
@@ -24,7 +24,7 @@ struct BvhNode {
 };
 static_assert(sizeof(BvhNode) == 64, "a cache line");
 
-constexpr int no_child = -1 - 0x7fffffff; // the lowest int: no block has this number
+constexpr int no_child = -1 - 0x7fffffff; // the lowest int: no pack has this number
 constexpr bool is_leaf(int child) { return child < 0; }
 
 // No deeper than this: a stack of so many nodes, or bits, is enough for every walk. Codes of 30

@@ -1,10 +1,10 @@
 // Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
-// into one block, which is a leaf. Subtrees are built by tasks (build/tasks.h).
+// into one pack, which is a leaf. Subtrees are built by tasks (build/tasks.h).
 #include "labs/04_accel/bvh/sah.h"
 
 #include "labs/04_accel/build/tasks.h"
 #include "labs/04_accel/bvh/split.h"
-#include "labs/04_accel/leaf/leaf_blocks.h"
+#include "labs/04_accel/leaf/packs.h"
 
 #include <algorithm>
 #include <array>
@@ -135,19 +135,19 @@ struct Subtree {
     BvhTree tree;
 
     Child leaf(const Work& work) {
-        std::array<int, triangles_per_block> indices;
+        std::array<int, triangles_per_pack> indices;
         Bounds box;
         for (std::size_t i = 0; i < work.items.size(); ++i) {
             indices[i] = work.items[i].index;
             box.include(work.items[i].box);
         }
-        append_blocks(cutter.triangles, {indices.data(), work.items.size()}, tree.blocks);
-        return {~static_cast<int>(tree.blocks.size() - 1), box};
+        append_packs(cutter.triangles, {indices.data(), work.items.size()}, tree.packs);
+        return {~static_cast<int>(tree.packs.size() - 1), box};
     }
 
     Child build(const Work& work, int parent) {
         tree.depth = std::max(tree.depth, work.depth);
-        if (work.items.size() <= triangles_per_block) return leaf(work);
+        if (work.items.size() <= triangles_per_pack) return leaf(work);
         const int self = add_node(tree, parent);
         const Halves halves = cutter.cut(work);
         const Child left = build(halves.half[0], self);
@@ -198,14 +198,14 @@ struct Piece {
             return finish(all, self, axis, left, half[1]->append_to(all, self));
         }
         const int nodes = static_cast<int>(all.nodes.size()),
-                  blocks = static_cast<int>(all.blocks.size());
-        const auto moved = [&](int child) { return child + (is_leaf(child) ? -blocks : nodes); };
+                  packs = static_cast<int>(all.packs.size());
+        const auto moved = [&](int child) { return child + (is_leaf(child) ? -packs : nodes); };
         for (BvhNode node : tree.nodes) {
             for (int& child : node.child) child = moved(child);
             node.parent = node.parent < 0 ? parent : node.parent + nodes;
             all.nodes.push_back(node);
         }
-        all.blocks.insert(all.blocks.end(), tree.blocks.begin(), tree.blocks.end());
+        all.packs.insert(all.packs.end(), tree.packs.begin(), tree.packs.end());
         all.depth = std::max(all.depth, tree.depth);
         return {moved(root.child), root.box};
     }

@@ -30,8 +30,8 @@ std::vector<SkipNode> lay_skip_links(const BvhTree& tree) {
     //| // Every leaf in a box that no ray misses: slow, and right.
     //| not_implemented("4.7", "lay_skip_links()");
     //| const Bounds everywhere{Vec3(-infinity), Vec3(infinity)};
-    //| for (int block = 0; block < static_cast<int>(tree.blocks.size()); ++block)
-    //|     line.push_back({everywhere, block + 1, block});
+    //| for (int pack = 0; pack < static_cast<int>(tree.packs.size()); ++pack)
+    //|     line.push_back({everywhere, pack + 1, pack});
     //]
     return line;
 }

@@ -14,8 +14,8 @@ namespace raylab::lab04 {
 
 struct SkipNode {
     Bounds box;
-    int skip;  // the node after all that is below this one
-    int block; // of a leaf; -1: the first child is the next node
+    int skip; // the node after all that is below this one
+    int pack; // of a leaf; -1: the first child is the next node
 };
 static_assert(sizeof(SkipNode) == 32, "two a cache line");
 

@@ -2,7 +2,7 @@
 
 #include "common/math/index.h"
 #include "common/task/not_implemented.h"
-#include "labs/04_accel/leaf/triangle_block.h"
+#include "labs/04_accel/leaf/triangle_pack.h"
 
 #include <algorithm>
 #include <array>
@@ -35,8 +35,6 @@ bool has_extent(const Bounds& box, int axis) {
     return high > low && std::isfinite(high - low);
 }
 
-double blocks(int triangles) { return (triangles + triangles_per_block - 1) / triangles_per_block; }
-
 Bounds common(const Bounds& a, const Bounds& b) {
     return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
 }
@@ -67,8 +65,8 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
         box.include(bin[plane - 1].box);
         count += bin[plane - 1].starts;
         if (count == 0 || right_count[plane] == 0) continue;
-        const double cost = half_area(box) * blocks(count) +
-                            half_area(right_box[plane]) * blocks(right_count[plane]);
+        const double cost = half_area(box) * packs_for(count) +
+                            half_area(right_box[plane]) * packs_for(right_count[plane]);
         if (cost >= best.cost) continue;
         const Bounds both = common(box, right_box[plane]);
         best = {cost, axis, plane, 0, is_empty(both) ? 0 : half_area(both)};
@@ -121,7 +119,7 @@ double least_cost([[maybe_unused]] std::span<const BuildItem> items, [[maybe_unu
         e.box.include(item.box), ++e.ends;
     }
     const auto side = [](const Bounds& box, int count) {
-        return is_empty(box) ? 0 : half_area(box) * blocks(count);
+        return is_empty(box) ? 0 : half_area(box) * packs_for(count);
     };
     std::array<double, bins> right;
     Bounds box;

@@ -1,7 +1,7 @@
 // Where to cut a node in two: between its triangles, or through them.
 //
 // Both ask the surface area heuristic: after a cut a ray costs, in expectation,
-//     A_left / A * blocks(n_left) + A_right / A * blocks(n_right).
+//     A_left / A * packs(n_left) + A_right / A * packs(n_right).
 // Cutting *between* triangles sorts them by their centres into slices (Wald, On Fast Construction
 // of SAH-based Bounding Volume Hierarchies, 2007). Long slanted triangles make boxes overlap
 // whatever the order: then a plane *through* them may be better, with the parts on either side

@@ -2,19 +2,19 @@
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"
-#include "labs/04_accel/leaf/triangle_block.h"
+#include "labs/04_accel/leaf/triangle_pack.h"
 
 #include <vector>
 
 namespace raylab::lab04 {
 
 struct BvhTree {
-    std::vector<BvhNode> nodes;        // the root first
-    std::vector<TriangleBlock> blocks; // a leaf each
-    int depth = 0;                     // nodes from the root to the deepest leaf
+    std::vector<BvhNode> nodes;      // the root first
+    std::vector<TrianglePack> packs; // a leaf each
+    int depth = 0;                   // nodes from the root to the deepest leaf
 
     std::size_t node_bytes() const { return nodes.size() * sizeof(BvhNode); }
-    std::size_t block_bytes() const { return blocks.size() * sizeof(TriangleBlock); }
+    std::size_t pack_bytes() const { return packs.size() * sizeof(TrianglePack); }
 };
 
 inline void set_child(BvhNode& node, int k, int child, const Bounds& box) {

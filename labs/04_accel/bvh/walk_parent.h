@@ -48,7 +48,7 @@ template <class Query> HD void walk_bvh_parent(const BvhView& bvh, Query& query)
         }
     }
     //| not_implemented("4.8", "walk_bvh_parent()");
-    //| visit_all_blocks(query);
+    //| visit_all_packs(query);
     //]
 }
 

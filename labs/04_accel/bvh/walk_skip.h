@@ -11,7 +11,7 @@ template <class Query> HD void walk_bvh_skip(const SkipView& line, Query& query)
     // Steps:
     // 1. Begin at the line's first node, and go on to the line's end, with a step() at each node.
     // 2. Does the ray cross the node's box within reach?
-    // 3. If so and if it is a leaf, visit its block; return if the visit says so.
+    // 3. If so and if it is a leaf, visit its pack; return if the visit says so.
     // 4. On to the next node if the box was met, else to where the skip link leads.
     //[ task 4.7
     int at = 0;
@@ -19,11 +19,11 @@ template <class Query> HD void walk_bvh_skip(const SkipView& line, Query& query)
         if (!query.step()) return;
         const SkipNode& node = line.nodes[at];
         const bool met = crosses(node.box, query.slab, query.reach());
-        if (met && node.block >= 0 && query.visit(node.block)) return;
+        if (met && node.pack >= 0 && query.visit(node.pack)) return;
         at = met ? at + 1 : node.skip;
     }
     //| not_implemented("4.7", "walk_bvh_skip()");
-    //| visit_all_blocks(query);
+    //| visit_all_packs(query);
     //]
 }
 

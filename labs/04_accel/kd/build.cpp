@@ -5,7 +5,7 @@
 #include "common/geometry/triangle.h"
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/build/tasks.h"
-#include "labs/04_accel/leaf/leaf_blocks.h"
+#include "labs/04_accel/leaf/packs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +66,9 @@ class Builder {
         std::vector<int> indices;
         for (std::size_t i = begin; i < work_.size(); ++i) indices.push_back(work_[i].triangle);
         work_.resize(begin);
-        const int first = int(tree_.blocks.size());
-        append_blocks(triangles_, indices, tree_.blocks);
-        tree_.nodes[node] = KdNode::leaf(first, int(tree_.blocks.size()) - first);
+        const int first = int(tree_.packs.size());
+        append_packs(triangles_, indices, tree_.packs);
+        tree_.nodes[node] = KdNode::leaf(first, int(tree_.packs.size()) - first);
     }
 
     // Makes the node a leaf, or cuts its cell and goes on with the parts; either takes the cell's
@@ -90,7 +90,7 @@ class Builder {
     // Cuts the cell where that costs least, if a leaf costs more and the limits allow it: what is
     // below stays on work_, and what is above goes to later_.
     // Steps:
-    // 1. Find the best plane, unless one block holds all or no cut is left on this path.
+    // 1. Find the best plane, unless one pack holds all or no cut is left on this path.
     // 2. Return nothing if a leaf costs no more, or if the cut adds more copies than are left.
     // 3. Part the references. One that reaches across the plane is clipped into two (clip_.cut());
     //    an empty part is dropped.
@@ -101,9 +101,8 @@ class Builder {
         const std::span<const KdReference> here(work_.data() + begin, work_.size() - begin);
         const int n = int(here.size());
         KdPlane plane;
-        if (blocks_for(n) > 1 && cell.depth > 0)
-            plane = best_plane(here, cell.box, settings_.costs);
-        if (plane.cost >= blocks_for(n) || copies(here, plane) > cell.copies) return {};
+        if (packs_for(n) > 1 && cell.depth > 0) plane = best_plane(here, cell.box, settings_.costs);
+        if (plane.cost >= packs_for(n) || copies(here, plane) > cell.copies) return {};
 
         const std::size_t later_begin = later_.size();
         const int below = part(begin, plane), above = int(later_.size() - later_begin);
@@ -188,7 +187,7 @@ struct Piece {
 
     // Puts it in place of a node, in the order in which one thread makes nodes.
     void append_to(KdTree& all, int node) {
-        const int nodes = int(all.nodes.size()), blocks = int(all.blocks.size());
+        const int nodes = int(all.nodes.size()), packs = int(all.packs.size());
         if (half[0]) {
             all.nodes[node] = KdNode::inner(plane.axis, plane.at, nodes);
             all.nodes.resize(nodes + 2);
@@ -197,13 +196,13 @@ struct Piece {
         }
         const auto moved = [&](const KdNode& from) { // the root, node 0, does not lie with the rest
             return from.is_leaf()
-                       ? KdNode::leaf(from.first_block + blocks, from.blocks())
+                       ? KdNode::leaf(from.first_pack + packs, from.packs())
                        : KdNode::inner(from.axis(), from.split, from.below() + nodes - 1);
         };
         all.nodes[node] = moved(tree.nodes[0]);
         std::transform(tree.nodes.begin() + 1, tree.nodes.end(), std::back_inserter(all.nodes),
                        moved);
-        all.blocks.insert(all.blocks.end(), tree.blocks.begin(), tree.blocks.end());
+        all.packs.insert(all.packs.end(), tree.packs.begin(), tree.packs.end());
     }
 };
 

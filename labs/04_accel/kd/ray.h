@@ -70,17 +70,17 @@ HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
 // by 2^-24 of it: a margin of eight times that leaves no hit that could still tie.
 HD_HOT bool is_beyond(double t, float reach) { return reach < t * (1 - 0x1p-21); }
 
-// Calls query.visit() for the blocks of a leaf. True: the walk may end.
+// Calls query.visit() for the packs of a leaf. True: the walk may end.
 template <class Query> HD_HOT bool visit_leaf(const KdNode& leaf, Query& query) {
-    for (int i = 0; i < leaf.blocks(); ++i)
-        if (query.visit(leaf.first_block + i)) return true;
+    for (int i = 0; i < leaf.packs(); ++i)
+        if (query.visit(leaf.first_pack + i)) return true;
     return false;
 }
 
-// Brute force: every block of the tree.
+// Brute force: every pack of the tree.
 template <class Query> HD void visit_all(const KdView& tree, Query& query) {
-    for (int block = 0; block < tree.blocks; ++block)
-        if (query.visit(block)) return;
+    for (int pack = 0; pack < tree.packs; ++pack)
+        if (query.visit(pack)) return;
 }
 
 } // namespace raylab::lab04

@@ -46,7 +46,7 @@ class Search {
         const double area_below = faces_ + around_ * (plane - low),
                      area_above = faces_ + around_ * (high - plane);
         double cost =
-            costs_.step + (area_below * blocks_for(below) + area_above * blocks_for(above)) / area_;
+            costs_.step + (area_below * packs_for(below) + area_above * packs_for(above)) / area_;
         if (below == 0 || above == 0) cost *= costs_.empty_factor;
         if (cost < best.cost) best = {axis_, plane, cost};
         //| not_implemented("4.1", "best_plane()");

@@ -4,13 +4,13 @@
 //
 // Of the rays that come into a cell, a share in proportion to its surface comes into a part of it.
 // So a ray through a cell that is cut into L and R takes about the time of
-//     cost = step + (area(L) blocks(L) + area(R) blocks(R)) / area(cell)
-// block tests, and of blocks(cell) if the cell stays a leaf. The best plane lies where a triangle
+//     cost = step + (area(L) packs(L) + area(R) packs(R)) / area(cell)
+// pack tests, and of packs(cell) if the cell stays a leaf. The best plane lies where a triangle
 // begins or ends: between two such places the counts stay and the cost is linear.
 #pragma once
 
 #include "labs/04_accel/build/clip.h"
-#include "labs/04_accel/leaf/triangle_block.h"
+#include "labs/04_accel/leaf/triangle_pack.h"
 
 #include <span>
 
@@ -18,13 +18,9 @@ namespace raylab::lab04 {
 
 // Measured: with cheaper steps the tree grows out of the caches before it saves tests.
 struct KdCosts {
-    double step = 2;           // of going down a node, in block tests
+    double step = 2;           // of going down a node, in pack tests
     double empty_factor = 0.9; // on a plane with nothing on one side: nothing is passed quickly
 };
-
-inline int blocks_for(int triangles) {
-    return (triangles + triangles_per_block - 1) / triangles_per_block;
-}
 
 struct KdPlane {
     int axis = -1; // -1: there is none

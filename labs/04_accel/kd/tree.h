@@ -10,7 +10,7 @@
 
 #include "common/geometry/bounds.h"
 #include "common/scene/view.h"
-#include "labs/04_accel/leaf/triangle_block.h"
+#include "labs/04_accel/leaf/triangle_pack.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,10 +23,10 @@ constexpr int kd_max_depth = 60;
 // Eight bytes. The two children of a node lie side by side: below the plane, then above it.
 struct KdNode {
     union {
-        float split;              // inner: where on the axis the plane is
-        std::int32_t first_block; // leaf
+        float split;             // inner: where on the axis the plane is
+        std::int32_t first_pack; // leaf
     };
-    std::uint32_t tail; // inner: the axis, 0 to 2, and the lower child; leaf: 3 and how many blocks
+    std::uint32_t tail; // inner: the axis, 0 to 2, and the lower child; leaf: 3 and how many packs
 
     static KdNode inner(int axis, float split, int below) {
         KdNode node;
@@ -34,17 +34,17 @@ struct KdNode {
         node.tail = std::uint32_t(axis) | std::uint32_t(below) << 2;
         return node;
     }
-    static KdNode leaf(int first_block, int blocks) {
+    static KdNode leaf(int first_pack, int packs) {
         KdNode node;
-        node.first_block = first_block;
-        node.tail = 3 | std::uint32_t(blocks) << 2;
+        node.first_pack = first_pack;
+        node.tail = 3 | std::uint32_t(packs) << 2;
         return node;
     }
     HD bool is_leaf() const { return (tail & 3) == 3; }
     HD int axis() const { return int(tail & 3); }
     HD int below() const { return int(tail >> 2); }
     HD int above() const { return below() + 1; }
-    HD int blocks() const { return int(tail >> 2); }
+    HD int packs() const { return int(tail >> 2); }
 };
 
 static_assert(sizeof(KdNode) == 8);
@@ -64,7 +64,7 @@ struct KdView {
     Array<KdNode> nodes;
     Array<std::int32_t> leaf_of; // by node: its index in leaves, or -1 if it is an inner node
     Array<KdLeaf> leaves;
-    int blocks = 0; // of all leaves together
+    int packs = 0; // of all leaves together
 };
 
 // The tree as it is built. Nodes: the root first; none if there is no triangle.
@@ -73,11 +73,11 @@ struct KdTree {
     std::vector<KdNode> nodes;
     std::vector<std::int32_t> leaf_of;
     std::vector<KdLeaf> leaves;
-    std::vector<TriangleBlock> blocks;
+    std::vector<TrianglePack> packs;
 
     std::size_t bytes() const {
         return nodes.size() * sizeof nodes[0] + leaf_of.size() * sizeof leaf_of[0] +
-               leaves.size() * sizeof leaves[0] + blocks.size() * sizeof blocks[0];
+               leaves.size() * sizeof leaves[0] + packs.size() * sizeof packs[0];
     }
     // For walks on the host.
     KdView view() const {
@@ -85,7 +85,7 @@ struct KdTree {
                 {nodes.data(), int(nodes.size())},
                 {leaf_of.data(), int(leaf_of.size())},
                 {leaves.data(), int(leaves.size())},
-                int(blocks.size())};
+                int(packs.size())};
     }
 };
 

@@ -62,17 +62,17 @@ __device__ int split_axis(Array<std::uint32_t> codes, const KarrasNode& node) {
     return differing == 0 ? 0 : (leading_zeros(differing) - (32 - 3 * morton_bits) + 3) % 3;
 }
 
-__device__ bool is_large(int first, int last) { return last - first >= triangles_per_block; }
+__device__ bool is_large(int first, int last) { return last - first >= triangles_per_pack; }
 
-// A thread an inner node over single triangles. Those over more than a block are kept: kept[i] = 1.
+// A thread an inner node over single triangles. Those over more than a pack are kept: kept[i] = 1.
 // What hangs in them and is no larger is a leaf; starts[i] = 1 where one begins. Both 0 before.
 __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std::uint32_t* starts) {
     const std::int64_t thread = global_index();
     if (thread >= codes.size - 1) return;
     const int i = static_cast<int>(thread);
     // Steps:
-    // 1. Find the range of node i. One that fits into a block is not kept.
-    // 2. Else it is; each child that fits into a block is a leaf, which begins at its first
+    // 1. Find the range of node i. One that fits into a pack is not kept.
+    // 2. Else it is; each child that fits into a pack is a leaf, which begins at its first
     //    triangle.
     //[ task 4.5
     const KarrasNode node = karras_node(codes, i);
@@ -82,10 +82,10 @@ __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std:
     if (!is_large(node.split + 1, node.last)) starts[node.split + 1] = 1;
     //| // Eight in a row are a leaf, and as many nodes as it takes are kept.
     //| not_implemented("4.5", "cut_kernel()");
-    //| const int leaves = (codes.size + triangles_per_block - 1) / triangles_per_block;
+    //| const int leaves = packs_for(codes.size);
     //| kept[i] = i < leaves - 1;
-    //| starts[i] = i % triangles_per_block == 0;
-    //| if (i == codes.size - 2) starts[i + 1] = (i + 1) % triangles_per_block == 0;
+    //| starts[i] = i % triangles_per_pack == 0;
+    //| if (i == codes.size - 2) starts[i + 1] = (i + 1) % triangles_per_pack == 0;
     //]
 }
 
@@ -99,7 +99,7 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
     const int i = static_cast<int>(thread), self = static_cast<int>(node_numbers[i]);
     // Steps:
     // 1. Find the range of node i.
-    // 2. A child too large for a block is an inner node: the left one has the number `split`, the
+    // 2. A child too large for a pack is an inner node: the left one has the number `split`, the
     //    right one the next. Look its new number up. Else it is the leaf that begins there:
     //    ~number.
     // 3. Set the node's axis.
@@ -114,7 +114,7 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
     nodes[self].axis = split_axis(codes, node);
     //| // Each node has the two numbers behind twice its own, as in a heap: a legal tree.
     //| not_implemented("4.5", "hierarchy_kernel()");
-    //| const int inner = (codes.size + triangles_per_block - 1) / triangles_per_block - 1;
+    //| const int inner = packs_for(codes.size) - 1;
     //| const int left = 2 * i + 1 < inner ? 2 * i + 1 : ~(2 * i + 1 - inner);
     //| const int right = 2 * i + 2 < inner ? 2 * i + 2 : ~(2 * i + 2 - inner);
     //]
@@ -128,29 +128,29 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
 // A leaf is a range of at most eight triangles. starts[i]: one begins at i, numbers[i]: which one.
 __global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
                               const int* indices, const std::uint32_t* starts,
-                              const std::uint32_t* numbers, TriangleBlock* blocks) {
+                              const std::uint32_t* numbers, TrianglePack* packs) {
     const std::int64_t i = global_index();
     if (i >= triangles.size || !starts[i]) return;
-    TriangleBlock block{};
+    TrianglePack pack{};
     bool inside = true;
-    for (int lane = 0; lane < triangles_per_block; ++lane) {
+    for (int lane = 0; lane < triangles_per_pack; ++lane) {
         const std::int64_t at = i + lane;
         inside = inside && at < triangles.size && (lane == 0 || !starts[at]);
         const bool filled = inside && codes[at] != no_code;
-        block.index[lane] = filled ? indices[at] : -1;
+        pack.index[lane] = filled ? indices[at] : -1;
         for (int corner = 0; filled && corner < 3; ++corner)
             for (int axis = 0; axis < 3; ++axis)
-                block.v[corner][axis][lane] = triangles[indices[at]].v[corner][axis];
+                pack.v[corner][axis][lane] = triangles[indices[at]].v[corner][axis];
     }
-    blocks[numbers[i]] = block;
+    packs[numbers[i]] = pack;
 }
 
-__device__ Bounds bounds_of(const TriangleBlock& block) {
+__device__ Bounds bounds_of(const TrianglePack& pack) {
     Bounds box;
-    for (int lane = 0; lane < triangles_per_block; ++lane)
-        for (int corner = 0; block.index[lane] >= 0 && corner < 3; ++corner)
+    for (int lane = 0; lane < triangles_per_pack; ++lane)
+        for (int corner = 0; pack.index[lane] >= 0 && corner < 3; ++corner)
             box.include(
-                {block.v[corner][0][lane], block.v[corner][1][lane], block.v[corner][2][lane]});
+                {pack.v[corner][0][lane], pack.v[corner][1][lane], pack.v[corner][2][lane]});
     return box;
 }
 
@@ -171,7 +171,7 @@ __device__ Bounds box_in(const BvhNode& node) {
 
 // A thread a leaf, from there up. At a node two threads arrive, from either side: the first one
 // ends there, the second one knows that both boxes are written. arrived: 0 for each node.
-__global__ void refit_kernel(const TriangleBlock* blocks, int leaves, const int* leaf_parents,
+__global__ void refit_kernel(const TrianglePack* packs, int leaves, const int* leaf_parents,
                              BvhNode* nodes, int* arrived) {
     const std::int64_t leaf = global_index();
     if (leaf >= leaves) return;
@@ -181,7 +181,7 @@ __global__ void refit_kernel(const TriangleBlock* blocks, int leaves, const int*
     // 3. A fence; count the arrival. The first of two ends here.
     // 4. A fence; go on with the union of both boxes, to the next parent, until there is none.
     //[ task 4.6
-    Bounds box = bounds_of(blocks[leaf]);
+    Bounds box = bounds_of(packs[leaf]);
     int child = ~static_cast<int>(leaf), at = leaf_parents[leaf];
     while (at >= 0) {
         set_box(nodes[at], nodes[at].child[1] == child, box);
@@ -201,9 +201,9 @@ __global__ void refit_kernel(const TriangleBlock* blocks, int leaves, const int*
 }
 
 // A tree of one leaf: a root with nothing on its other side.
-__global__ void lone_leaf_kernel(const TriangleBlock* blocks, BvhNode* nodes) {
+__global__ void lone_leaf_kernel(const TrianglePack* packs, BvhNode* nodes) {
     nodes[0] = {{}, {~0, no_child}, -1, 0};
-    set_box(nodes[0], 0, bounds_of(blocks[0]));
+    set_box(nodes[0], 0, bounds_of(packs[0]));
     set_box(nodes[0], 1, Bounds{});
 }
 
@@ -240,11 +240,11 @@ DeviceBvh tree_of_one_leaf(Array<Triangle> triangles, const DeviceArray<std::uin
     const std::uint32_t begin = 1;
     DeviceArray<std::uint32_t> starts(triangles.size), numbers(triangles.size);
     check(cudaMemcpy(starts.data(), &begin, sizeof begin, cudaMemcpyHostToDevice), "the leaf");
-    DeviceBvh bvh{DeviceArray<BvhNode>(1), DeviceArray<TriangleBlock>(1)};
+    DeviceBvh bvh{DeviceArray<BvhNode>(1), DeviceArray<TrianglePack>(1)};
     leaves_kernel<<<1, block>>>(triangles, codes.data(), indices.data(), starts.data(),
-                                numbers.data(), bvh.blocks.data());
+                                numbers.data(), bvh.packs.data());
     check(cudaGetLastError(), "leaves_kernel");
-    lone_leaf_kernel<<<1, 1>>>(bvh.blocks.data(), bvh.nodes.data());
+    lone_leaf_kernel<<<1, 1>>>(bvh.packs.data(), bvh.nodes.data());
     check(cudaGetLastError(), "lone_leaf_kernel");
     return bvh;
 }
@@ -262,7 +262,7 @@ DeviceBvh build_lbvh(Array<Triangle> triangles) {
     check(cudaGetLastError(), "codes_kernel");
     radix_sort(codes, indices, 3 * morton_bits + 1);
 
-    if (n <= triangles_per_block) return tree_of_one_leaf(triangles, codes, indices);
+    if (n <= triangles_per_pack) return tree_of_one_leaf(triangles, codes, indices);
 
     // 3. Which nodes there are, and where leaves begin; hence their numbers.
     const Array<std::uint32_t> sorted{codes.data(), n};
@@ -273,23 +273,23 @@ DeviceBvh build_lbvh(Array<Triangle> triangles) {
     const Numbers nodes(kept), leaves(starts);
 
     // 4. The nodes, all at once. 5. Their leaves. 6. Their boxes, from the leaves up.
-    DeviceBvh bvh{DeviceArray<BvhNode>(nodes.count), DeviceArray<TriangleBlock>(leaves.count)};
+    DeviceBvh bvh{DeviceArray<BvhNode>(nodes.count), DeviceArray<TrianglePack>(leaves.count)};
     DeviceArray<int> leaf_parents(leaves.count), arrived(nodes.count);
     hierarchy_kernel<<<blocks, block>>>(sorted, kept.data(), nodes.number.data(),
                                         leaves.number.data(), bvh.nodes.data(),
                                         leaf_parents.data());
     check(cudaGetLastError(), "hierarchy_kernel");
     leaves_kernel<<<blocks, block>>>(triangles, codes.data(), indices.data(), starts.data(),
-                                     leaves.number.data(), bvh.blocks.data());
+                                     leaves.number.data(), bvh.packs.data());
     check(cudaGetLastError(), "leaves_kernel");
     refit_kernel<<<blocks_for(leaves.count, block), block>>>(
-        bvh.blocks.data(), leaves.count, leaf_parents.data(), bvh.nodes.data(), arrived.data());
+        bvh.packs.data(), leaves.count, leaf_parents.data(), bvh.nodes.data(), arrived.data());
     check(cudaGetLastError(), "refit_kernel");
     return bvh;
 }
 
 BvhTree to_host(const DeviceBvh& bvh) {
-    BvhTree tree{bvh.nodes.to_host(), bvh.blocks.to_host(), 0};
+    BvhTree tree{bvh.nodes.to_host(), bvh.packs.to_host(), 0};
     for (const BvhNode& node : tree.nodes) {
         int depth = 1;
         for (int at = node.parent; at >= 0; at = tree.nodes[at].parent) ++depth;
@@ -306,7 +306,7 @@ BvhTree build_lbvh(const std::vector<Triangle>& triangles, int threads, double& 
     const DeviceBvh bvh = build_lbvh({on_device.data(), static_cast<int>(triangles.size())});
     check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {bvh.nodes.to_host(), bvh.blocks.to_host(), 0};
+    return {bvh.nodes.to_host(), bvh.packs.to_host(), 0};
 }
 
 } // namespace raylab::lab04

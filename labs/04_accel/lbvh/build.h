@@ -12,7 +12,7 @@ namespace raylab::lab04 {
 
 struct DeviceBvh {
     DeviceArray<BvhNode> nodes; // the root first; none: no triangle
-    DeviceArray<TriangleBlock> blocks;
+    DeviceArray<TrianglePack> packs;
 };
 
 // triangles: in device memory. One with a NaN or an infinity among its corners is left out.

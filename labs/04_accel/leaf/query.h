@@ -9,21 +9,21 @@
 #include "common/trace/intersect.h"
 #include "labs/04_accel/bvh/bvh.h"
 #include "labs/04_accel/leaf/fetch_ahead.h"
-#include "labs/04_accel/leaf/triangle_block.h"
+#include "labs/04_accel/leaf/triangle_pack.h"
 
 namespace raylab::lab04 {
 
 // The triangles as leaves hold them, and as the scene does.
 struct Leaves {
-    Array<TriangleBlock> blocks;
+    Array<TrianglePack> packs;
     Array<Triangle> triangles;
 };
 
-// Of one ray: the ledger's nodes and blocks a ray. A node is what is read at once: a pair of boxes,
+// Of one ray: the ledger's nodes and packs a ray. A node is what is read at once: a pair of boxes,
 // eight boxes, a split plane.
 struct WalkCounts {
     std::uint32_t nodes = 0;
-    std::uint32_t blocks = 0;
+    std::uint32_t packs = 0;
 };
 
 // No walk visits this many nodes. A student's endless one ends here, with a message.
@@ -44,7 +44,7 @@ class Query {
     HD bool step() { return ++counts_.nodes < most_steps; }
 
   protected:
-    HD void count_block() { ++counts_.blocks; }
+    HD void count_pack() { ++counts_.packs; }
 
   private:
     Ray ray_;
@@ -56,24 +56,24 @@ class TriangleQuery : public Query {
     HD_HOT TriangleQuery(const Leaves& leaves, const Ray& ray)
         : Query(ray), leaves_(leaves), glance_(ray, slab.inv_d) {}
 
-    HD int blocks() const { return leaves_.blocks.size; } // all there are
+    HD int packs() const { return leaves_.packs.size; } // all there are
 
-    // A block that may be visited soon.
-    HD_HOT void ask_for(int block) const { fetch_ahead(leaves_.blocks.data + block); }
+    // A pack that may be visited soon.
+    HD_HOT void ask_for(int pack) const { fetch_ahead(leaves_.packs.data + pack); }
 
   protected:
-    HD_HOT TriangleGlance look_at(int block, float reach) {
-        count_block();
-        return glance(leaves_.blocks[block], glance_, reach);
+    HD_HOT TriangleGlance look_at(int pack, float reach) {
+        count_pack();
+        return glance(leaves_.packs[pack], glance_, reach);
     }
-    HD bool meets(int block, int lane, float& t) const {
-        return intersect(corners_in(leaves_.blocks[block], lane), ShearedRay(ray()), t);
+    HD bool meets(int pack, int lane, float& t) const {
+        return intersect(corners_in(leaves_.packs[pack], lane), ShearedRay(ray()), t);
     }
     // Of a triangle that the ray passes inside of: only t is left to find.
-    HD bool meets_inside(int block, int lane, float& t) const {
-        return intersect(exact_plane(corners_in(leaves_.blocks[block], lane)), ray(), t);
+    HD bool meets_inside(int pack, int lane, float& t) const {
+        return intersect(exact_plane(corners_in(leaves_.packs[pack], lane)), ray(), t);
     }
-    HD int index_of(int block, int lane) const { return leaves_.blocks[block].index[lane]; }
+    HD int index_of(int pack, int lane) const { return leaves_.packs[pack].index[lane]; }
     HD int id_of(int index) const { return leaves_.triangles[index].tags.id; }
 
     // Of the lane's triangle the glance knows already that it is hit.
@@ -113,20 +113,20 @@ class ClosestHit : public TriangleQuery {
     // behind it.
     HD float reach() const { return reach_; }
 
-    // Tests a block of triangles. True: the walk may end.
-    HD_HOT bool visit(int block) {
-        const TriangleGlance seen = look_at(block, reach_);
+    // Tests a pack of triangles. True: the walk may end.
+    HD_HOT bool visit(int pack) {
+        const TriangleGlance seen = look_at(pack, reach_);
         for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
             const int lane = lowest_bit(left);
             if (seen.begin[lane] > reach_) continue;
             if (is_hit(seen, lane) && seen.end[lane] < begin_) {
-                block_ = block, lane_ = lane;
+                pack_ = pack, lane_ = lane;
                 begin_ = seen.begin[lane], reach_ = seen.end[lane];
                 continue;
             }
             settle();
             float t;
-            if (meets(block, lane, t)) found(index_of(block, lane), t);
+            if (meets(pack, lane, t)) found(index_of(pack, lane), t);
         }
         return false;
     }
@@ -136,9 +136,9 @@ class ClosestHit : public TriangleQuery {
     HD void settle() {
         if (lane_ < 0) return;
         float t;
-        if (meets_inside(block_, lane_, t)) {
+        if (meets_inside(pack_, lane_, t)) {
             hit_ = {};
-            found(index_of(block_, lane_), t);
+            found(index_of(pack_, lane_), t);
         }
         lane_ = -1;
     }
@@ -149,7 +149,7 @@ class ClosestHit : public TriangleQuery {
     }
 
     Hit hit_;                        // exact; lane_ >= 0: something closer has been found
-    int block_, lane_ = -1;          // by a glance, there,
+    int pack_, lane_ = -1;           // by a glance, there,
     float begin_ = infinity, reach_; // within this interval
 };
 
@@ -167,12 +167,12 @@ class AnyHit : public TriangleQuery {
     HD bool found() const { return found_; }
     HD float reach() const { return ray().t_max; }
 
-    HD_HOT bool visit(int block) {
-        const TriangleGlance seen = look_at(block, reach());
+    HD_HOT bool visit(int pack) {
+        const TriangleGlance seen = look_at(pack, reach());
         for (std::uint32_t left = seen.maybe; left != 0 && !found_; left &= left - 1) {
             const int lane = lowest_bit(left);
             float t;
-            found_ = is_hit(seen, lane) || meets(block, lane, t);
+            found_ = is_hit(seen, lane) || meets(pack, lane, t);
         }
         return found_;
     }

@@ -5,9 +5,9 @@
 
 namespace raylab::lab04 {
 
-template <class Query> HD void visit_all_blocks(Query& query) {
-    for (int block = 0; block < query.blocks(); ++block)
-        if (query.visit(block)) return;
+template <class Query> HD void visit_all_packs(Query& query) {
+    for (int pack = 0; pack < query.packs(); ++pack)
+        if (query.visit(pack)) return;
 }
 
 } // namespace raylab::lab04

@@ -20,7 +20,7 @@ class ShapeQuery : public Query {
     // Calls meet(shape, index, id, t) for each hit in a leaf, until it returns false.
     template <class Meet, class Reach>
     HD_HOT void look_at(int leaf, const Meet& meet, const Reach& reach) {
-        count_block();
+        count_pack();
         const int spheres = tree_.sphere_groups.size;
         if (leaf < spheres)
             for_each_hit_in(tree_.sphere_groups[leaf], scene_.spheres, ray(), meet, reach);

@@ -87,17 +87,17 @@ TEST(WalkLedger, CountsWhatEachRayVisits) {
     const struct {
         AccelSettings accel;
         float at;
-        std::uint64_t nodes, blocks; // a ray
+        std::uint64_t nodes, packs; // a ray
     } cases[] = {{{AccelKind::none}, 0, 0, 2},
                  {{AccelKind::sah, WalkKind::stack}, 0, 1, 1},
                  {{AccelKind::sah, WalkKind::stack}, 50, 1, 0},
                  {{AccelKind::wide, WalkKind::trail}, 100, 1, 1}};
-    for (const auto& [accel, at, nodes, blocks] : cases) {
+    for (const auto& [accel, at, nodes, packs] : cases) {
         const Ledger ledger = ledger_of(two_groups(at), accel);
         const WalkSums& walks = ledger.bounces.at(0).walks;
         EXPECT_EQ(walks.rays, rays);
         EXPECT_EQ(walks.nodes, nodes * rays) << name_of(accel.accel) << " at " << at;
-        EXPECT_EQ(walks.blocks, blocks * rays) << name_of(accel.accel) << " at " << at;
+        EXPECT_EQ(walks.packs, packs * rays) << name_of(accel.accel) << " at " << at;
         ASSERT_TRUE(ledger.structure);
         EXPECT_EQ(ledger.structure->shadow_rays.rays, 0u);
     }
@@ -121,8 +121,8 @@ TEST(WalkLedger, DescribesTheStructure) {
     EXPECT_EQ(facts.walk, "stack");
     EXPECT_EQ(facts.triangles, 16);
     EXPECT_EQ(facts.nodes, 1);
-    EXPECT_EQ(facts.triangle_blocks, 2);
-    EXPECT_EQ(facts.bytes, sizeof(BvhNode) + 2 * sizeof(TriangleBlock));
+    EXPECT_EQ(facts.triangle_packs, 2);
+    EXPECT_EQ(facts.bytes, sizeof(BvhNode) + 2 * sizeof(TrianglePack));
     EXPECT_GT(facts.build_seconds, 0);
     EXPECT_THAT(to_json(ledger), HasSubstr("\"nodes_per_ray\": 1.0"));
     EXPECT_THAT(to_table(ledger), HasSubstr("16 triangles: sah, asked for"));
@@ -151,8 +151,8 @@ TEST(WalkLedger, DescribesTheTreeOverSpheres) {
     EXPECT_EQ(facts.depth, 4);
     EXPECT_EQ(facts.bytes, 9 * sizeof(BvhNode));
     EXPECT_EQ(facts.rays.rays, 8u * 4 * 3);
-    EXPECT_GE(facts.rays.blocks, facts.rays.rays);     // one group each,
-    EXPECT_LE(facts.rays.blocks, 2 * facts.rays.rays); // or two at its end
+    EXPECT_GE(facts.rays.packs, facts.rays.rays);     // one group each,
+    EXPECT_LE(facts.rays.packs, 2 * facts.rays.rays); // or two at its end
     EXPECT_THAT(to_json(ledger), HasSubstr("\"groups_per_ray\": 1.0"));
     EXPECT_THAT(to_table(ledger), HasSubstr("160 spheres, 0 quads: boxes over groups of sixteen"));
     EXPECT_FALSE(ledger_of(scene, {AccelKind::none}).shapes);

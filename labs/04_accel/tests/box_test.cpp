@@ -11,7 +11,7 @@ namespace {
 
 using test::Real;
 
-// A tree over boxes alone: leaf i has box i, and a block with the one index i.
+// A tree over boxes alone: leaf i has box i, and a pack with the one index i.
 struct BoxTree {
     std::vector<Bounds> boxes;
     BvhTree tree;
@@ -32,8 +32,8 @@ struct BoxTree {
 
     // Leaves come in the order of their boxes.
     void hang_leaf(int node, int side, const Bounds& box) {
-        const int leaf = int(tree.blocks.size());
-        tree.blocks.push_back({{}, {leaf, -1, -1, -1}});
+        const int leaf = int(tree.packs.size());
+        tree.packs.push_back({{}, {leaf, -1, -1, -1}});
         hang(node, side, ~leaf, box);
     }
 
@@ -99,7 +99,7 @@ std::vector<int> for_each_slot(const WideTree& tree, int at, const Visit& visit)
     for (int slot = 0; slot < wide_children; ++slot) {
         std::vector<int> below;
         if (node.leaf >> slot & 1)
-            below = {tree.blocks[block_in(node, slot)].index[0]};
+            below = {tree.packs[pack_in(node, slot)].index[0]};
         else if (node.inner >> slot & 1)
             below = for_each_slot(tree, child_in(node, slot), visit);
         for (const int leaf : below) visit(at, slot, leaf);
@@ -187,7 +187,7 @@ TEST(WideBoxes, AChainHasNoMoreLevelsThanPromised) {
     EXPECT_LE(wide.levels, max_wide_levels);
     std::vector<int> leaves = for_each_slot(wide, 0, [](int, int, int) {});
     std::sort(leaves.begin(), leaves.end());
-    ASSERT_EQ(leaves.size(), made.tree.blocks.size());
+    ASSERT_EQ(leaves.size(), made.tree.packs.size());
     for (int i = 0; i < int(leaves.size()); ++i) EXPECT_EQ(leaves[i], i);
 }
 
@@ -285,9 +285,9 @@ TEST(Boxes, NoBoxIsMissedThatARayMeets) {
 // Remembers the leaves it is brought.
 struct Recorder : ClosestHit {
     using ClosestHit::ClosestHit;
-    bool visit(int block) {
-        visited.push_back(block);
-        return ClosestHit::visit(block);
+    bool visit(int pack) {
+        visited.push_back(pack);
+        return ClosestHit::visit(pack);
     }
     std::vector<int> visited;
 };
@@ -299,8 +299,8 @@ TEST(Boxes, WalksWithoutAStackComeToTheSameLeavesAsTheirTwins) {
         const BvhCase scene(triangles);
         for (const Ray& ray : any_rays(2000)) {
             const auto visited = [&](BoxWalk kind) {
-                const std::vector<TriangleBlock>& blocks = scene.blocks(kind);
-                const Leaves leaves{{blocks.data(), int(blocks.size())},
+                const std::vector<TrianglePack>& packs = scene.packs(kind);
+                const Leaves leaves{{packs.data(), int(packs.size())},
                                     {triangles.data(), int(triangles.size())}};
                 Recorder query(leaves, ray);
                 scene.walk(kind, query);
@@ -319,19 +319,19 @@ TEST(Boxes, ARayVisitsFewNodes) {
     const std::vector<Ray> rays = rays_down(3000);
     const struct {
         BoxWalk walk;
-        double nodes, blocks;
+        double nodes, packs;
     } most[] = {{BoxWalk::stack, 28, 2.2},        {BoxWalk::trail, 31, 2.2},
                 {BoxWalk::parent, 57, 2.2},       {BoxWalk::skip, 77, 3.7},
                 {BoxWalk::wide_stack, 11.5, 2.2}, {BoxWalk::wide_trail, 11.5, 2.2}};
-    for (const auto& [walk, most_nodes, most_blocks] : most) {
-        double nodes = 0, blocks = 0;
+    for (const auto& [walk, most_nodes, most_packs] : most) {
+        double nodes = 0, packs = 0;
         for (const Ray& ray : rays) {
             const WalkCounts counts = scene.answer(walk, ray).closest;
             nodes += counts.nodes / double(rays.size());
-            blocks += counts.blocks / double(rays.size());
+            packs += counts.packs / double(rays.size());
         }
         EXPECT_LE(nodes, most_nodes) << name(walk);
-        EXPECT_LE(blocks, most_blocks) << name(walk);
+        EXPECT_LE(packs, most_packs) << name(walk);
     }
 }
 

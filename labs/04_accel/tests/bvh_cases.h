@@ -66,12 +66,12 @@ struct BvhCase {
         }
     }
 
-    const std::vector<TriangleBlock>& blocks(BoxWalk kind) const {
-        return is_wide(kind) ? wide.blocks : tree.blocks;
+    const std::vector<TrianglePack>& packs(BoxWalk kind) const {
+        return is_wide(kind) ? wide.packs : tree.packs;
     }
 
     Answer answer(BoxWalk kind, const Ray& ray) const {
-        return answer_of(blocks(kind), triangles, ray, [&](auto& query) { walk(kind, query); });
+        return answer_of(packs(kind), triangles, ray, [&](auto& query) { walk(kind, query); });
     }
 
     std::vector<Triangle> triangles;

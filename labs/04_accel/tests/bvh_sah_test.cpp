@@ -30,9 +30,7 @@ struct Halves {
     }
     double cost() const {
         double sum = 0;
-        for (int half = 0; half < 2; ++half)
-            sum +=
-                half_area(box[half]) * ((n[half] + triangles_per_block - 1) / triangles_per_block);
+        for (int half = 0; half < 2; ++half) sum += half_area(box[half]) * packs_for(n[half]);
         return sum;
     }
     double overlap() const {
@@ -88,8 +86,8 @@ TEST(Task4_9, TheCostIsThatOfWhatTheCutMakes) {
         const std::string what = fmt::format("the best cut between {} boxes leaves {} and {}; its ",
                                              n, made.n[0], made.n[1]);
         expect_near(what + "cost", split.cost, made.cost(), 1e-5 * made.cost(),
-                    "cost = area(L) blocks(L) + area(R) blocks(R), of the boxes around what goes "
-                    "left and right, a block for each eight or part of it");
+                    "cost = area(L) packs(L) + area(R) packs(R), of the boxes around what goes "
+                    "left and right, a pack for each eight or part of it");
         expect_near(what + "overlap", split.overlap, made.overlap(), 1e-5 * made.cost(),
                     "overlap is the area of the box that both halves cover, 0 if there is none");
     }
@@ -136,18 +134,18 @@ TEST(Task4_9, ARayTestsFewTriangles) {
     }
     const BvhCase scene(triangles);
     const std::vector<Ray> rays = rays_down(2000);
-    double nodes = 0, blocks = 0;
+    double nodes = 0, packs = 0;
     for (const Ray& ray : rays) {
         const WalkCounts counts = scene.answer(BoxWalk::stack, ray).closest;
-        nodes += counts.nodes / double(rays.size()), blocks += counts.blocks / double(rays.size());
+        nodes += counts.nodes / double(rays.size()), packs += counts.packs / double(rays.size());
     }
     const char* cause = "the cut is not where the surface area heuristic has its least";
     expect(nodes <= 18, fmt::format("of {} triangles a ray visits {:.1f} nodes, at most 18 are "
                                     "needed; the likely cause: {}",
                                     triangles.size(), nodes, cause));
-    expect(blocks <= 2.5, fmt::format("of {} triangles a ray tests {:.2f} blocks, at most 2.5 are "
-                                      "needed; the likely cause: {}",
-                                      triangles.size(), blocks, cause));
+    expect(packs <= 2.5, fmt::format("of {} triangles a ray tests {:.2f} packs, at most 2.5 are "
+                                     "needed; the likely cause: {}",
+                                     triangles.size(), packs, cause));
 }
 
 TEST(Task4_9, RaysFindWhatBruteForceFinds) {

@@ -115,7 +115,7 @@ TEST(Boxes, TreeDepth) {
         EXPECT_EQ(tree.depth, depth_below(tree, 0));
         EXPECT_LE(tree.depth, max_sah_depth);
         EXPECT_LE(build_wide(tree).levels, max_wide_levels);
-        EXPECT_LE(tree.blocks.size(), triangles.size());
+        EXPECT_LE(tree.packs.size(), triangles.size());
     }
     EXPECT_GE(build_bvh_sah(wider).depth, max_sah_depth - 4) << "not deep enough to test the cap";
 
@@ -142,12 +142,12 @@ TEST(Boxes, OneFarTriangleCostsARayLittle) {
     const BvhCase with_far(triangles);
     for (const BoxWalk kind : box_walks) {
         if (is_wide(kind)) continue;
-        double blocks[2] = {};
+        double packs[2] = {};
         for (const Ray& ray : any_rays(500)) {
-            blocks[0] += near.answer(kind, ray).closest.blocks;
-            blocks[1] += with_far.answer(kind, ray).closest.blocks;
+            packs[0] += near.answer(kind, ray).closest.packs;
+            packs[1] += with_far.answer(kind, ray).closest.packs;
         }
-        EXPECT_LE(blocks[1], 1.5 * blocks[0]) << name(kind);
+        EXPECT_LE(packs[1], 1.5 * packs[0]) << name(kind);
     }
 }
 
@@ -291,7 +291,7 @@ TEST(Boxes, Pow2Scale) {
                 ASSERT_EQ(other.id, one.id);
                 ASSERT_EQ(other.t, one.t * scale);
                 ASSERT_EQ(other.closest.nodes, one.closest.nodes);
-                ASSERT_EQ(other.closest.blocks, one.closest.blocks);
+                ASSERT_EQ(other.closest.packs, one.closest.packs);
             };
             for (const BoxWalk kind : box_walks) {
                 expect_scaled(scene.answer(kind, ray), scaled.answer(kind, longer));

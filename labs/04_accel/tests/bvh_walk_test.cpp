@@ -29,16 +29,16 @@ void find_everything(BoxWalk walk, const std::string& when_endless, const std::s
 
 // What a ray visits, on average.
 struct Visits {
-    double nodes = 0, blocks = 0;
+    double nodes = 0, packs = 0;
 };
 Visits visits(const BvhCase& scene, BoxWalk walk, const std::vector<Ray>& rays = rays_down(3000)) {
     Visits mean;
     for (const Ray& ray : rays) {
         const Answer answer = scene.answer(walk, ray);
         const WalkCounts counts = answer.closest;
-        if (answer.endless) return {double(counts.nodes), double(counts.blocks)}; // one is enough
+        if (answer.endless) return {double(counts.nodes), double(counts.packs)}; // one is enough
         mean.nodes += counts.nodes / double(rays.size());
-        mean.blocks += counts.blocks / double(rays.size());
+        mean.packs += counts.packs / double(rays.size());
     }
     return mean;
 }
@@ -54,7 +54,7 @@ bool contains(const Bounds& outer, const Bounds& inner) {
 int end_of(const std::vector<SkipNode>& line, int at) {
     const SkipNode& node = line[at];
     int end = at + 1;
-    if (node.block < 0)
+    if (node.pack < 0)
         for (int child = 0; child < 2; ++child) {
             if (end < 0 || end >= int(line.size()) || !contains(node.box, line[end].box)) return -1;
             end = end_of(line, end);
@@ -65,11 +65,11 @@ int end_of(const std::vector<SkipNode>& line, int at) {
 TEST(Task4_7, EachLinkLeadsPastWhatIsBelow) {
     for (const auto& triangles : {hills(12), soup(300, 0.3f), soup(2, 1)}) {
         const BvhCase scene(triangles);
-        std::vector<int> seen(scene.tree.blocks.size());
+        std::vector<int> seen(scene.tree.packs.size());
         for (const SkipNode& node : scene.line)
-            if (node.block >= 0) ++seen[node.block];
+            if (node.pack >= 0) ++seen[node.pack];
         for (const int times : seen)
-            if (!expect_equal("places of a block of triangles in the line", times, 1,
+            if (!expect_equal("places of a pack of triangles in the line", times, 1,
                               "each leaf of the tree stands in the line once"))
                 return;
         int at = 0;
@@ -104,10 +104,10 @@ TEST(Task4_7, NothingBehindAHitIsLookedAt) {
     const std::vector<Ray> rays = any_rays(1000);
     const Visits stack = visits(dense, BoxWalk::stack, rays),
                  skip = visits(dense, BoxWalk::skip, rays);
-    expect(skip.blocks <= 2 * stack.blocks,
-           fmt::format("among 3000 large triangles a ray tests {:.1f} blocks by skip links, with a "
+    expect(skip.packs <= 2 * stack.packs,
+           fmt::format("among 3000 large triangles a ray tests {:.1f} packs by skip links, with a "
                        "stack {:.1f}; the likely cause: boxes are not tested against query.reach()",
-                       skip.blocks, stack.blocks));
+                       skip.packs, stack.packs));
 }
 
 TEST(Task4_8, RaysFindWhatBruteForceFinds) {
@@ -124,10 +124,10 @@ TEST(Task4_8, TheNearChildComesFirst) {
                        "should visit at most 3 times as many; the likely cause: children that the "
                        "ray misses are gone into",
                        parents.nodes, stack.nodes));
-    expect(parents.blocks <= 1.25 * stack.blocks,
-           fmt::format("a ray tests {:.2f} blocks by parent pointers, with a stack {:.2f}; the "
+    expect(parents.packs <= 1.25 * stack.packs,
+           fmt::format("a ray tests {:.2f} packs by parent pointers, with a stack {:.2f}; the "
                        "likely cause: the far child is visited first",
-                       parents.blocks, stack.blocks));
+                       parents.packs, stack.packs));
 }
 
 } // namespace

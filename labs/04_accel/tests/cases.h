@@ -214,9 +214,9 @@ inline std::vector<Answer> brute_force(const std::vector<Triangle>& triangles,
 
 // What a walk finds: once for the closest hit, once for any. walk: a function of a query.
 template <class Walk>
-Answer answer_of(const std::vector<TriangleBlock>& blocks, const std::vector<Triangle>& triangles,
+Answer answer_of(const std::vector<TrianglePack>& packs, const std::vector<Triangle>& triangles,
                  const Ray& ray, const Walk& walk) {
-    const Leaves leaves{{blocks.data(), int(blocks.size())},
+    const Leaves leaves{{packs.data(), int(packs.size())},
                         {triangles.data(), int(triangles.size())}};
     ClosestHit closest(leaves, ray);
     walk(closest);

@@ -2,7 +2,7 @@
 // hit, is sure of nothing that is missed, and knows within which t.
 #include "common/geometry/tests/support.h"
 #include "common/geometry/triangle.h"
-#include "labs/04_accel/leaf/leaf_blocks.h"
+#include "labs/04_accel/leaf/packs.h"
 #include "labs/04_accel/tests/cases.h"
 
 #include <algorithm>
@@ -75,17 +75,17 @@ Verdict judge(int rays, auto... errors) {
     for (int i = 0; i < rays; ++i) {
         // All of about the same place, so that each ray grazes one and passes by the others.
         std::vector<Triangle> triangles;
-        for (int k = 0; k < triangles_per_block; ++k) triangles.push_back(any_triangle(dice));
-        Ray ray = ray_at(triangles[dice.below(triangles_per_block)], dice);
+        for (int k = 0; k < triangles_per_pack; ++k) triangles.push_back(any_triangle(dice));
+        Ray ray = ray_at(triangles[dice.below(triangles_per_pack)], dice);
         const float scale = power(dice, -30, 30);
         for (Triangle& triangle : triangles)
             for (Vec3& v : triangle.v) v *= scale;
         ray.o *= scale;
-        std::vector<TriangleBlock> blocks;
-        append_blocks(triangles, std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}, blocks);
+        std::vector<TrianglePack> packs;
+        append_packs(triangles, std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}, packs);
         const TriangleGlance seen =
-            glance(blocks[0], GlanceRay(ray, SlabRay(ray).inv_d), infinity, errors...);
-        for (int k = 0; k < triangles_per_block; ++k) {
+            glance(packs[0], GlanceRay(ray, SlabRay(ray).inv_d), infinity, errors...);
+        for (int k = 0; k < triangles_per_pack; ++k) {
             float t = 0;
             const bool hit = intersect(triangles[k], ShearedRay(ray), t);
             const bool maybe = seen.maybe >> k & 1, sure = maybe && (seen.sure >> k & 1);

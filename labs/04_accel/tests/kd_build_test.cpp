@@ -21,8 +21,8 @@ bool finds_all(const std::string& what, std::vector<Triangle> triangles,
 
 std::size_t references(const KdTree& tree) {
     std::size_t n = 0;
-    for (const TriangleBlock& block : tree.blocks)
-        for (const int index : block.index) n += index >= 0;
+    for (const TrianglePack& pack : tree.packs)
+        for (const int index : pack.index) n += index >= 0;
     return n;
 }
 
@@ -39,18 +39,17 @@ TEST(Task4_1, CornersAndRaysInThePlanesAreFound) {
 
 TEST(Task4_1, ARayTestsFewTriangles) {
     const KdCase scene(hills(100));
-    double nodes = 0, blocks = 0;
+    double nodes = 0, packs = 0;
     const std::vector<Ray> rays = rays_down(4000);
     for (const Ray& ray : rays) {
         const WalkCounts counts = scene.answer(KdWalk::stack, ray).closest;
-        nodes += counts.nodes, blocks += counts.blocks;
+        nodes += counts.nodes, packs += counts.packs;
     }
-    nodes /= double(rays.size()), blocks /= double(rays.size());
-    expect(blocks <= 20,
-           fmt::format("of 20000 triangles a ray tests {:.1f} blocks of eight, at most "
-                       "20 are needed; the likely cause: cells are cut where it "
-                       "costs more than it saves, or not where it saves most",
-                       blocks));
+    nodes /= double(rays.size()), packs /= double(rays.size());
+    expect(packs <= 20, fmt::format("of 20000 triangles a ray tests {:.1f} packs of eight, at most "
+                                    "20 are needed; the likely cause: cells are cut where it "
+                                    "costs more than it saves, or not where it saves most",
+                                    packs));
     expect(nodes <= 60,
            fmt::format("over 20000 triangles a ray visits {:.1f} nodes, at most 60 are "
                        "needed; the likely cause: cells that no plane makes cheaper "
@@ -75,11 +74,11 @@ TEST(Task4_1, ThePlaneOfLeastCostIsTaken) {
                        "children's areas or counts are taken for each other",
                        end, plane.axis < 0 ? "none" : std::string(1, char('x' + plane.axis)),
                        plane.at));
-    // Half the surface: cell 10 + 10 + 1, below it 2 end + 1. Twelve triangles are two blocks.
+    // Half the surface: cell 10 + 10 + 1, below it 2 end + 1. Twelve triangles are two packs.
     const KdCosts costs;
     expect_near("the cost of that plane", plane.cost,
                 costs.empty_factor * (costs.step + 2 * (2 * end + 1) / 21.0), 1e-5,
-                "cost = step + (area(L) blocks(L) + area(R) blocks(R)) / area(cell), times "
+                "cost = step + (area(L) packs(L) + area(R) packs(R)) / area(cell), times "
                 "empty_factor where one side is empty");
 }
 
@@ -121,7 +120,7 @@ TEST(Task4_1, TheCostCountsWhatReachesIntoEachSide) {
         high[plane.axis] -= plane.at;
         const double cost =
             KdCosts{}.step +
-            (area(low) * blocks_for(below) + area(high) * blocks_for(above)) / area(cell.high);
+            (area(low) * packs_for(below) + area(high) * packs_for(above)) / area(cell.high);
         expect_near(fmt::format("the cost of the plane for {} boxes, {} of which reach below it "
                                 "and {} above,",
                                 n, below, above),

@@ -39,7 +39,7 @@ struct KdCase {
     }
 
     Answer answer(KdWalk kind, const Ray& ray) const {
-        return answer_of(tree.blocks, triangles, ray,
+        return answer_of(tree.packs, triangles, ray,
                          [&](auto& query) { walk(kind, tree.view(), query); });
     }
 

@@ -74,8 +74,8 @@ TEST(KdTree, WalksComeToTheSameLeaves) {
             const WalkCounts stack = scene.answer(KdWalk::stack, ray).closest,
                              ropes = scene.answer(KdWalk::ropes, ray).closest,
                              restart = scene.answer(KdWalk::restart, ray).closest;
-            ASSERT_EQ(ropes.blocks, stack.blocks);
-            ASSERT_EQ(restart.blocks, stack.blocks);
+            ASSERT_EQ(ropes.packs, stack.packs);
+            ASSERT_EQ(restart.packs, stack.packs);
             ASSERT_GE(restart.nodes, ropes.nodes);
         }
     }
@@ -101,8 +101,8 @@ TEST(KdTree, TreeDepth) {
             EXPECT_LE(depth(tree), kd_depth_limit(triangles->size()));
             EXPECT_LE(kd_depth_limit(triangles->size()), kd_max_depth);
             std::size_t references = 0;
-            for (const TriangleBlock& block : tree.blocks)
-                references += 4 - std::count(block.index, block.index + 4, -1);
+            for (const TrianglePack& pack : tree.packs)
+                references += 4 - std::count(pack.index, pack.index + 4, -1);
             EXPECT_LE(references, settings.copies * triangles->size());
         }
     }
@@ -128,12 +128,12 @@ TEST(KdTree, OneFarTriangleCostsARayLittle) {
     const KdCase near(triangles);
     add(triangles, {0x1p24f, 0, 0}, {0x1p24f, 1, 0}, {0x1p24f, 0, 1});
     const KdCase with_far(triangles);
-    double blocks[2] = {};
+    double packs[2] = {};
     for (const Ray& ray : any_rays(1000)) {
-        blocks[0] += near.answer(KdWalk::ropes, ray).closest.blocks;
-        blocks[1] += with_far.answer(KdWalk::ropes, ray).closest.blocks;
+        packs[0] += near.answer(KdWalk::ropes, ray).closest.packs;
+        packs[1] += with_far.answer(KdWalk::ropes, ray).closest.packs;
     }
-    EXPECT_LE(blocks[1], 2 * blocks[0]);
+    EXPECT_LE(packs[1], 2 * packs[0]);
 }
 
 TEST(KdTree, DupCoplanar) {
@@ -288,8 +288,8 @@ TEST(KdTree, LeavesHoldWhatReachesIntoThem) {
             }
             bool found = false;
             const KdNode& leaf = tree.nodes[at];
-            for (int b = leaf.first_block; b < leaf.first_block + leaf.blocks(); ++b)
-                for (const int other : tree.blocks[b].index) found |= other == index;
+            for (int b = leaf.first_pack; b < leaf.first_pack + leaf.packs(); ++b)
+                for (const int other : tree.packs[b].index) found |= other == index;
             missing += !found;
         }
         EXPECT_EQ(missing, 0);

@@ -45,7 +45,7 @@ TEST(Task4_3, NoTriangleAndOne) {
 
 TEST(Task4_3, RopesSaveTheWayDownAgain) {
     const KdCase scene(hills(100));
-    double nodes[3] = {}, blocks[3] = {};
+    double nodes[3] = {}, packs[3] = {};
     const std::vector<Ray> rays = rays_down(3000);
     for (const Ray& ray : rays) {
         for (int kind = 0; kind < 3; ++kind) {
@@ -53,7 +53,7 @@ TEST(Task4_3, RopesSaveTheWayDownAgain) {
             if (!expect(!answer.endless, name(kd_walks[kind]) + " does not end")) return;
             const WalkCounts counts = answer.closest;
             nodes[kind] += counts.nodes / double(rays.size());
-            blocks[kind] += counts.blocks / double(rays.size());
+            packs[kind] += counts.packs / double(rays.size());
         }
     }
     const double stack = nodes[0], ropes = nodes[1], restart = nodes[2];
@@ -67,10 +67,10 @@ TEST(Task4_3, RopesSaveTheWayDownAgain) {
                        "where what is left lies behind the hit",
                        restart, stack));
     for (int kind = 1; kind < 3; ++kind)
-        expect(blocks[kind] <= 1.05 * blocks[0],
-               fmt::format("{} tests {:.2f} blocks a ray, that with a stack {:.2f}; the likely "
+        expect(packs[kind] <= 1.05 * packs[0],
+               fmt::format("{} tests {:.2f} packs a ray, that with a stack {:.2f}; the likely "
                            "cause: leaves are visited that the ray does not come to, or twice",
-                           name(kd_walks[kind]), blocks[kind], blocks[0]));
+                           name(kd_walks[kind]), packs[kind], packs[0]));
 }
 
 } // namespace

@@ -133,22 +133,22 @@ TEST(Task4_5, EveryLeafHangsInTheTreeOnce) {
             open.push_back(child);
         }
     }
-    EXPECT_EQ(leaves.size(), tree.blocks.size());
+    EXPECT_EQ(leaves.size(), tree.packs.size());
     EXPECT_LE(tree.depth, max_bvh_depth);
 }
 
-Bounds box_of(const TriangleBlock& block) {
+Bounds box_of(const TrianglePack& pack) {
     Bounds box;
-    for (int lane = 0; lane < triangles_per_block; ++lane)
-        for (int corner = 0; block.index[lane] >= 0 && corner < 3; ++corner)
+    for (int lane = 0; lane < triangles_per_pack; ++lane)
+        for (int corner = 0; pack.index[lane] >= 0 && corner < 3; ++corner)
             box.include(
-                {block.v[corner][0][lane], block.v[corner][1][lane], block.v[corner][2][lane]});
+                {pack.v[corner][0][lane], pack.v[corner][1][lane], pack.v[corner][2][lane]});
     return box;
 }
 
 // The box around all that is below, by recursion.
 Bounds true_box(const BvhTree& tree, int child) {
-    if (is_leaf(child)) return box_of(tree.blocks[~child]);
+    if (is_leaf(child)) return box_of(tree.packs[~child]);
     Bounds box = true_box(tree, tree.nodes[child].child[0]);
     box.include(true_box(tree, tree.nodes[child].child[1]));
     return box;
@@ -183,7 +183,7 @@ TEST(Lbvh, RaysFindWhatBruteForceFinds) {
                                           {"eight", soup(8, 1)},
                                           {"one", soup(1, 2)}}) {
         const BvhTree tree = build(triangles);
-        const Leaves leaves{{tree.blocks.data(), int(tree.blocks.size())},
+        const Leaves leaves{{tree.packs.data(), int(tree.packs.size())},
                             {triangles.data(), int(triangles.size())}};
         const BvhView view{{tree.nodes.data(), int(tree.nodes.size())}};
         for (const Ray& ray : any_rays(triangles.size() > 2000 ? 300 : 2000)) {
@@ -205,8 +205,8 @@ TEST(Lbvh, TrianglesThatAreNoneAreLeftOut) {
     add(triangles, {0, infinity, 0}, {1, 0, 0}, {0, 1, 0});
     const BvhTree with = build(triangles);
     std::set<int> indices;
-    for (const TriangleBlock& block : with.blocks)
-        for (const int index : block.index)
+    for (const TrianglePack& pack : with.packs)
+        for (const int index : pack.index)
             if (index >= 0) indices.insert(index);
     EXPECT_EQ(indices.size(), 100u);
     EXPECT_EQ(*indices.rbegin(), 99);

@@ -173,7 +173,7 @@ WalkCounts visited(int n, bool mixed) {
     const std::vector<Ray> rays = any_rays(400);
     for (const Ray& ray : rays) {
         const WalkCounts counts = walked(shapes, ray).closest;
-        sum.nodes += counts.nodes, sum.blocks += counts.blocks;
+        sum.nodes += counts.nodes, sum.packs += counts.packs;
     }
     return sum;
 }
@@ -185,14 +185,14 @@ TEST(ShapeTree, TenTimesAsManySpheresDoNotCostTenTimesAsMuch) {
     for (const bool mixed : {false, true}) {
         const WalkCounts few = visited(1000, mixed), more = visited(10000, mixed),
                          many = visited(100000, mixed);
-        EXPECT_LT(more.blocks, 2.5 * few.blocks) << mixed;
-        EXPECT_LT(many.blocks, 2.5 * more.blocks) << mixed;
+        EXPECT_LT(more.packs, 2.5 * few.packs) << mixed;
+        EXPECT_LT(many.packs, 2.5 * more.packs) << mixed;
         EXPECT_LT(more.nodes, 2.5 * few.nodes) << mixed;
         EXPECT_LT(many.nodes, 2.5 * more.nodes) << mixed;
-        EXPECT_LT(few.blocks, 400u * 2) << mixed; // of 63 each
+        EXPECT_LT(few.packs, 400u * 2) << mixed; // of 63 each
         RecordProperty(mixed ? "mixed" : "equal",
                        fmt::format("{} {} {}; {} {} {}", few.nodes, more.nodes, many.nodes,
-                                   few.blocks, more.blocks, many.blocks));
+                                   few.packs, more.packs, many.packs));
     }
 }
 

@@ -61,7 +61,7 @@ TEST(Threads, BoxesAreTheSameFromAnyNumber) {
             SCOPED_TRACE(name + ", threads: " + std::to_string(threads));
             const BvhTree tree = build_bvh_sah(triangles, threads);
             EXPECT_TRUE(same_bytes(one.nodes, tree.nodes));
-            EXPECT_TRUE(same_bytes(one.blocks, tree.blocks));
+            EXPECT_TRUE(same_bytes(one.packs, tree.packs));
             EXPECT_EQ(one.depth, tree.depth);
         }
     }
@@ -74,7 +74,7 @@ TEST(Threads, KdTreesAreTheSameFromAnyNumber) {
             SCOPED_TRACE(name + ", threads: " + std::to_string(threads));
             const KdTree tree = build_kd_tree(triangles, {.threads = threads});
             EXPECT_TRUE(same_bytes(one.nodes, tree.nodes));
-            EXPECT_TRUE(same_bytes(one.blocks, tree.blocks));
+            EXPECT_TRUE(same_bytes(one.packs, tree.packs));
             EXPECT_EQ(std::memcmp(&one.bounds, &tree.bounds, sizeof one.bounds), 0);
         }
     }

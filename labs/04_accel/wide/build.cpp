@@ -77,7 +77,7 @@ class Writer {
         set_grid(node, box);
         node.parent = parent;
         node.first_child = static_cast<int>(tree_.nodes.size());
-        node.first_block = static_cast<int>(tree_.blocks.size());
+        node.first_pack = static_cast<int>(tree_.packs.size());
         for (int octant = 0; octant < 8; ++octant)
             node.order[octant] = order_of(binary, choice, octant, slots);
         std::vector<int> inner;
@@ -86,7 +86,7 @@ class Writer {
             set_faces(node, static_cast<int>(slot), c.box);
             if (is_leaf(c.child)) {
                 node.leaf |= 1 << slot;
-                tree_.blocks.push_back(from_.blocks[~c.child]);
+                tree_.packs.push_back(from_.packs[~c.child]);
             } else {
                 node.inner |= 1 << slot;
                 inner.push_back(c.child);

@@ -7,7 +7,7 @@
 namespace raylab::lab04 {
 namespace {
 
-constexpr double node_cost = 1, block_cost = 0.8; // of a visit
+constexpr double node_cost = 1, pack_cost = 0.8; // of a visit
 
 } // namespace
 
@@ -25,7 +25,7 @@ int WidePlan::height_of(const WideChild& c) const {
 
 double WidePlan::cost(const WideChild& c, int children) const {
     if (c.child == no_child) return 0;
-    return is_leaf(c.child) ? half_area(c.box) * block_cost : forest_[c.child].cost[children - 1];
+    return is_leaf(c.child) ? half_area(c.box) * pack_cost : forest_[c.child].cost[children - 1];
 }
 
 // The cheapest way to share out n places among the two subtrees, for each n.

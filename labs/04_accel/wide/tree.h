@@ -8,12 +8,12 @@ namespace raylab::lab04 {
 
 struct WideTree {
     std::vector<WideNode> nodes;
-    std::vector<TriangleBlock> blocks;
+    std::vector<TrianglePack> packs;
     Vec3 extent = Vec3(0); // the largest |coordinate| on each axis
     int levels = 0;
 
     std::size_t node_bytes() const { return nodes.size() * sizeof(WideNode); }
-    std::size_t block_bytes() const { return blocks.size() * sizeof(TriangleBlock); }
+    std::size_t pack_bytes() const { return packs.size() * sizeof(TrianglePack); }
 };
 
 // The binary tree with up to eight grandchildren drawn up into each node.

@@ -30,12 +30,12 @@ template <class Query> HD void walk_wide_stack(const WideView& bvh, Query& query
             const int slot = first_in_order(left, node.order[octant]);
             left &= ~(1u << slot);
             if (node.leaf >> slot & 1) {
-                if (query.visit(block_in(node, slot))) return;
+                if (query.visit(pack_in(node, slot))) return;
             } else {
                 if (left != 0) stack[size++] = {at, left};
                 at = child_in(node, slot);
                 fetch_ahead(bvh.nodes.data + bvh.nodes[at].first_child);
-                query.ask_for(bvh.nodes[at].first_block);
+                query.ask_for(bvh.nodes[at].first_pack);
                 left = wide_slots(bvh.nodes[at]);
                 fresh = true;
             }

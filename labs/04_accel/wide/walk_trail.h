@@ -45,13 +45,13 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
             const int slot = first_in_order(left, node->order[octant]);
             left &= ~(1u << slot);
             if (node->leaf >> slot & 1) {
-                if (query.visit(block_in(*node, slot))) return;
+                if (query.visit(pack_in(*node, slot))) return;
             } else {
                 trail.push(left);
                 node = &bvh.nodes[child_in(*node, slot)];
                 fetch_ahead(bvh.nodes.data +
                             node->first_child); // before it is known which it will be
-                query.ask_for(node->first_block);
+                query.ask_for(node->first_pack);
                 left = wide_slots(*node);
                 fresh = true;
             }

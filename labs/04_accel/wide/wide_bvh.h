@@ -21,10 +21,10 @@ struct WideNode {
     Vec3 origin;
     float step;         // face q of an axis lies at origin + q step; a power of two
     std::uint8_t inner; // a bit for each slot with a node,
-    std::uint8_t leaf;  // and for each with a block of triangles
+    std::uint8_t leaf;  // and for each with a pack of triangles
     std::uint16_t unused;
     int first_child; // the nodes of the inner slots, one after the other
-    int first_block; // the blocks of the leaf slots
+    int first_pack;  // the packs of the leaf slots
     int parent;      // -1: the root
     // The six faces of each slot's box, ten bits each, from the lowest bits up:
     std::uint32_t face[2][wide_children]; // low x, high x, low z; low y, high y, high z
@@ -67,12 +67,12 @@ HD int count_bits(std::uint32_t bits) {
 
 HD std::uint32_t wide_slots(const WideNode& node) { return node.inner | node.leaf; }
 
-// The node or block in a slot: those before it are counted.
+// The node or pack in a slot: those before it are counted.
 HD_HOT int child_in(const WideNode& node, int slot) {
     return node.first_child + count_bits(node.inner & ((1u << slot) - 1));
 }
-HD_HOT int block_in(const WideNode& node, int slot) {
-    return node.first_block + count_bits(node.leaf & ((1u << slot) - 1));
+HD_HOT int pack_in(const WideNode& node, int slot) {
+    return node.first_pack + count_bits(node.leaf & ((1u << slot) - 1));
 }
 
 // The octant of directions in whose order a query wants to come to its boxes.

@@ -14,11 +14,16 @@
 namespace raylab::lab04 {
 
 // Eight cost a processor no more than four, and a tree with larger leaves has half the nodes.
-constexpr int triangles_per_block = 8;
+constexpr int triangles_per_pack = 8;
 
-struct TriangleBlock {
-    float v[3][3][triangles_per_block]; // corner, axis, lane
-    int index[triangles_per_block];     // in SceneView::triangles; -1: the lane is empty
+// Packs that so many triangles fill; the last may have empty lanes.
+HD constexpr int packs_for(int triangles) {
+    return (triangles + triangles_per_pack - 1) / triangles_per_pack;
+}
+
+struct TrianglePack {
+    float v[3][3][triangles_per_pack]; // corner, axis, lane
+    int index[triangles_per_pack];     // in SceneView::triangles; -1: the lane is empty
 };
 
 // The ray of a glance: along its main axis, as ShearedRay, but in float.
@@ -47,10 +52,10 @@ struct GlanceRay {
 struct TriangleGlance {
     std::uint32_t maybe = 0; // the ray may meet the lane's triangle, for a t within [begin, end]
     std::uint32_t sure = 0;  // it passes inside of it for certain
-    float begin[triangles_per_block], end[triangles_per_block];
+    float begin[triangles_per_pack], end[triangles_per_pack];
 };
 
-// Where may `ray` meet the triangles of the block in (0, t_max]?
+// Where may `ray` meet the triangles of the pack in (0, t_max]?
 //
 // With size = |x| + |y| + |z| of a corner in ray space, x and y are off by less than 5 u size (the
 // subtractions, the slope with its two roundings, its product), an edge function e of two corners
@@ -62,16 +67,16 @@ struct TriangleGlance {
 // off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A comparison that
 // a NaN makes false leaves the triangle in, and the interval of a triangle that is not surely
 // passed inside is that of its corners.
-HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, float t_max,
+HD_HOT TriangleGlance glance(const TrianglePack& pack, const GlanceRay& ray, float t_max,
                              float errors = 16) {
     const auto larger = [](float x, float y) { return x > y ? x : y; };
     const auto smaller = [](float x, float y) { return x < y ? x : y; };
     // Below the normal numbers a product is off by 2^-150, whatever its size.
     constexpr float u = unit_roundoff, underflow = 0x1p-140f;
-    const auto& [a, b, c] = block.v;
+    const auto& [a, b, c] = pack.v;
     TriangleGlance seen;
     std::uint32_t missed = 0;
-    for (int k = 0; k < triangles_per_block; ++k) {
+    for (int k = 0; k < triangles_per_pack; ++k) {
         const float az = a[ray.kz][k] - ray.oz, bz = b[ray.kz][k] - ray.oz,
                     cz = c[ray.kz][k] - ray.oz;
         const float ax = a[ray.kx][k] - ray.ox - ray.sx * az,
@@ -101,22 +106,21 @@ HD_HOT TriangleGlance glance(const TriangleBlock& block, const GlanceRay& ray, f
         const float begin = smaller(t0, t1) * (1 - 4 * u), end = larger(t0, t1) * (1 + 4 * u);
 
         const bool passed_by = smaller(-least, most) > margin; // on both sides of an edge
-        missed |= std::uint32_t(passed_by | (end < 0) | (begin > t_max) | (block.index[k] < 0))
-                  << k;
+        missed |= std::uint32_t(passed_by | (end < 0) | (begin > t_max) | (pack.index[k] < 0)) << k;
         seen.sure |= std::uint32_t(inside) << k;
         seen.begin[k] = begin;
         seen.end[k] = end;
     }
-    seen.maybe = ~missed & ((1u << triangles_per_block) - 1);
+    seen.maybe = ~missed & ((1u << triangles_per_pack) - 1);
     return seen;
 }
 
 // The corners in a lane, without what else belongs to a triangle.
-HD Triangle corners_in(const TriangleBlock& block, int lane) {
+HD Triangle corners_in(const TrianglePack& pack, int lane) {
     Triangle triangle{};
     for (int corner = 0; corner < 3; ++corner)
-        triangle.v[corner] = {block.v[corner][0][lane], block.v[corner][1][lane],
-                              block.v[corner][2][lane]};
+        triangle.v[corner] = {pack.v[corner][0][lane], pack.v[corner][1][lane],
+                              pack.v[corner][2][lane]};
     return triangle;
 }
 
