@@ -34,7 +34,7 @@ const std::vector<Lab>& labs() {
 #endif
 #if __has_include("labs/04_accel/renderer.h")
         {"04", "04_accel", "KD-trees and hierarchies of boxes over the wavefront's triangles",
-         lab04::make_renderer, lab04::memory_use, true, false, true},
+         lab04::make_renderer, lab04::memory_use, true, false, lab04::accels},
 #endif
     };
     return all;

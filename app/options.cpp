@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <map>
+#include <set>
 
 namespace raylab::app {
 
@@ -25,14 +26,14 @@ const std::map<std::string, ScanKind> scans = {
 const std::map<std::string, MaterialSort> sorts = {
     {"off", MaterialSort::off}, {"on", MaterialSort::on}, {"queues", MaterialSort::queues}};
 
-// By name; automatic is "auto".
-template <class T, std::size_t n> std::map<std::string, T> by_name(const char* const (&names)[n]) {
-    std::map<std::string, T> map;
-    for (std::size_t i = 0; i < n; ++i) map[names[i]] = static_cast<T>(i);
-    return map;
+// What the labs have to offer for one of AccelSettings, and "auto".
+std::set<std::string> accel_names(std::string AccelSettings::*which) {
+    std::set<std::string> names = {AccelSettings{}.*which};
+    for (const Lab& lab : labs())
+        if (lab.accels != nullptr)
+            for (const AccelSettings& accel : lab.accels()) names.insert(accel.*which);
+    return names;
 }
-const std::map<std::string, AccelKind> accels = by_name<AccelKind>(accel_names);
-const std::map<std::string, WalkKind> walks = by_name<WalkKind>(walk_names);
 
 // "off", "on" or a number of bounces; -1 if it is none of these.
 int parse_compact(const std::string& text) {
@@ -132,11 +133,15 @@ void add_wavefront_options(CLI::App& app, WavefrontSettings& wavefront) {
 
 void add_accel_options(CLI::App& app, AccelSettings& accel) {
     const std::string group = "Structure over the triangles (lab 04; none changes a bit)";
-    add_choice(app, "--accel", accel.accel, accels,
-               "none (every triangle is tested), a KD-tree, boxes along the Morton curve, boxes by "
-               "surface area, or eight boxes a node",
-               group);
-    add_choice(app, "--walk", accel.walk, walks, "how a ray gets back from a subtree", group);
+    app.add_option(
+           "--accel", accel.accel,
+           "none (every triangle is tested), a KD-tree, boxes along the Morton curve, boxes "
+           "by surface area, or eight boxes a node")
+        ->check(CLI::IsMember(accel_names(&AccelSettings::accel)))
+        ->group(group);
+    app.add_option("--walk", accel.walk, "how a ray gets back from a subtree")
+        ->check(CLI::IsMember(accel_names(&AccelSettings::walk)))
+        ->group(group);
 }
 
 void check_lab_options(const Lab& lab, const MachineSettings& machine) {
@@ -154,7 +159,7 @@ void check_lab_options(const Lab& lab, const MachineSettings& machine) {
             fmt::format("lab {} runs its pool in one way: --compact, --scan, --sort, --shuffle, "
                         "--shared-geometry, --first-bounce-cache and --regenerate are for lab 03",
                         lab.number));
-    if (!lab.has_accel && machine.accel != AccelSettings{})
+    if (lab.accels == nullptr && machine.accel != AccelSettings{})
         throw UsageError(fmt::format("lab {} has no structure over its triangles: --accel and "
                                      "--walk are for lab 04",
                                      lab.number));

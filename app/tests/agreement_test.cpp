@@ -93,22 +93,18 @@ TEST_P(EveryScene, WavefrontLabIsBitIdenticalWithFewPaths) {
 TEST_P(EveryScene, AccelLabHasTheBitsOfTheIterativeOne) {
     const Scene scene = small(GetParam(), 16, 7);
     const Traced expected = trace("02", scene, {}, 1);
-    const auto same = [&](AccelKind accel, WalkKind walk) {
-        const MachineSettings machine{.threads = 1, .block_size = 64, .accel = {accel, walk}};
+    const auto same = [&](const AccelSettings& accel) {
+        const MachineSettings machine{.threads = 1, .block_size = 64, .accel = accel};
         const Traced traced = trace("04", scene, machine, 1);
         EXPECT_EQ(first_difference(traced, expected, scene.camera.width), "")
-            << name_of(accel) << ", " << name_of(walk);
-        EXPECT_TRUE(same_bits(traced.film, expected.film))
-            << name_of(accel) << ", " << name_of(walk);
+            << accel.accel << ", " << accel.walk;
+        EXPECT_TRUE(same_bits(traced.film, expected.film)) << accel.accel << ", " << accel.walk;
     };
-    same(AccelKind::automatic, WalkKind::automatic);
+    same({});
     if (scene.triangles.empty()) return;
-    same(AccelKind::none, WalkKind::automatic);
-    using enum WalkKind;
-    for (const WalkKind walk : {stack, ropes, restart}) same(AccelKind::kd, walk);
-    for (const AccelKind accel : {AccelKind::lbvh, AccelKind::sah})
-        for (const WalkKind walk : {stack, skip, parent, trail}) same(accel, walk);
-    for (const WalkKind walk : {stack, trail}) same(AccelKind::wide, walk);
+    const std::vector<AccelSettings> all = find_lab("04").accels();
+    EXPECT_GE(all.size(), 14u);
+    for (const AccelSettings& accel : all) same(accel);
 }
 
 TEST_P(EveryScene, RecursiveLabIsBitIdenticalForAnyThreadCount) {
@@ -145,14 +141,13 @@ TEST(Agreement, ATriangleTooSmallToSeeIsHitByNobody) {
     const Scene with = scene("[0, 0, 0], [1e-14, 0, 0], [3e-15, 8e-15, 2e-15]"),
                 without = scene("");
     ASSERT_EQ(with.triangles.size(), without.triangles.size() + 1);
-    const auto same = [&](const std::string& lab, AccelKind accel) {
-        const MachineSettings machine{.accel = {accel, WalkKind::automatic}};
+    const auto same = [&](const std::string& lab, const std::string& accel) {
+        const MachineSettings machine{.accel = {accel, "auto"}};
         EXPECT_TRUE(same_bits(trace(lab, with, machine, 8).film, trace("02", without, {}, 8).film))
-            << "lab " << lab << ", " << name_of(accel);
+            << "lab " << lab << ", " << accel;
     };
-    for (const char* lab : {"02", "03"}) same(lab, AccelKind::automatic);
-    using enum AccelKind;
-    for (const AccelKind accel : {none, kd, lbvh, sah, wide}) same("04", accel);
+    for (const char* lab : {"02", "03"}) same(lab, "auto");
+    for (const char* accel : {"none", "kd", "lbvh", "sah", "wide"}) same("04", accel);
     EXPECT_TRUE(same_bits(trace("01", with, {}, 8).film, trace("01", without, {}, 8).film));
 }
 

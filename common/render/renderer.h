@@ -68,7 +68,8 @@ struct Lab {
     MemoryUse (*memory)(const Scene& scene, const MachineSettings& machine);
     bool has_pool = false;      // takes pool and memory_budget of MachineSettings::wavefront,
     bool has_wavefront = false; // all the rest of it,
-    bool has_accel = false;     // MachineSettings::accel
+    // What MachineSettings::accel may name, each structure with each of its walks; null: nothing.
+    std::vector<AccelSettings> (*accels)() = nullptr;
 };
 
 // A ledger that knows its scene and machine, and has counted nothing yet.

@@ -1,51 +1,11 @@
 // Building is the host's work, apart from kernels that builders launch; what is built is copied.
 #include "labs/04_accel/accel.h"
 
-#include "labs/04_accel/bvh/sah.h"
-#include "labs/04_accel/kd/build.h"
-#include "labs/04_accel/kd/ropes.h"
-#include "labs/04_accel/lbvh/build.h"
-#include "labs/04_accel/leaf/packs.h"
-#include "labs/04_accel/wide/tree.h"
-
-#include <algorithm>
 #include <chrono>
-#include <numeric>
 
 namespace raylab::lab04 {
 
 namespace {
-
-// Times building alone.
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-std::vector<TrianglePack> all_packs(const std::vector<Triangle>& triangles) {
-    std::vector<int> indices(triangles.size());
-    std::iota(indices.begin(), indices.end(), 0);
-    std::vector<TrianglePack> packs;
-    append_packs(triangles, indices, packs);
-    return packs;
-}
-
-// Nodes from the root to the deepest leaf; children come behind their parents.
-int depth_of(const KdTree& tree) {
-    std::vector<int> depth(tree.nodes.size());
-    int deepest = 0;
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        deepest = std::max(deepest, depth[i]);
-        if (tree.nodes[i].is_leaf()) continue;
-        depth[tree.nodes[i].below()] = depth[tree.nodes[i].above()] = depth[i] + 1;
-    }
-    return deepest;
-}
 
 template <class T> Array<T> array_of(const DeviceArray<T>& memory) {
     return {memory.data(), static_cast<int>(memory.size())};
@@ -55,94 +15,44 @@ template <class T> Array<T> array_of(const DeviceArray<T>& memory) {
 
 Accel::Accel(const Scene& scene, const MachineSettings& machine)
     : choice_(choose_accel(static_cast<int>(scene.triangles.size()), machine.accel)) {
+    const KnownWalk& walk = choice_.walk;
     facts_.triangles = static_cast<int>(scene.triangles.size());
-    facts_.name = name_of(choice_.walk.accel);
-    facts_.walk =
-        choice_.walk.walk == WalkKind::automatic ? "all triangles" : name_of(choice_.walk.walk);
+    facts_.name = walk.accel;
+    facts_.walk = walk.walk == "auto" ? walk.title : walk.walk;
     facts_.why = choice_.why;
-    if (has_triangles()) build(scene.triangles, machine.threads);
-    if (machine.accel.accel != AccelKind::none) build_shapes(scene);
+    if (has_triangles()) build(scene.triangles, machine);
+    if (machine.accel.accel != "none") build_shapes(scene);
 }
 
-void Accel::build(const std::vector<Triangle>& triangles, int threads) {
-    const Stopwatch watch;
-    const auto built = [&](int depth) {
-        facts_.build_seconds = watch.seconds();
-        facts_.depth = depth;
-    };
-    switch (choice_.walk.accel) {
-    case AccelKind::kd: {
-        KdTree tree = build_kd_tree(triangles, {.threads = threads});
-        if (choice_.walk.walk == WalkKind::ropes) lay_ropes(tree);
-        built(depth_of(tree));
-        keep(tree.nodes, kd_);
-        facts_.bytes +=
-            tree.leaves.size() * sizeof(KdLeaf) + tree.leaf_of.size() * sizeof(std::int32_t);
-        kd_leaf_of_ = DeviceArray<std::int32_t>(tree.leaf_of);
-        kd_leaves_ = DeviceArray<KdLeaf>(tree.leaves);
-        kd_bounds_ = tree.bounds;
-        return keep_packs(tree.packs);
-    }
-    case AccelKind::lbvh: {
-        const DeviceArray<Triangle> on_device(triangles);
-        check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
-        const Stopwatch kernels;
-        const DeviceBvh bvh = build_lbvh(array_of(on_device));
-        check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
-        facts_.build_seconds = kernels.seconds();
-        return keep_tree(to_host(bvh));
-    }
-    case AccelKind::sah: {
-        const BvhTree tree = build_bvh_sah(triangles, threads);
-        built(tree.depth);
-        return keep_tree(tree);
-    }
-    case AccelKind::wide: {
-        const WideTree tree = build_wide(build_bvh_sah(triangles, threads));
-        built(tree.levels);
-        keep(tree.nodes, wide_);
-        wide_extent_ = tree.extent;
-        return keep_packs(tree.packs);
-    }
-    default: {
-        const std::vector<TrianglePack> packs = all_packs(triangles);
-        built(0);
-        return keep_packs(packs);
-    }
-    }
-}
-
-// As the walk wants it.
-void Accel::keep_tree(const BvhTree& tree) {
-    facts_.depth = tree.depth;
-    if (choice_.walk.walk == WalkKind::skip)
-        keep(lay_skip_links(tree), skip_);
-    else
-        keep(tree.nodes, bvh_);
-    keep_packs(tree.packs);
-}
-
-template <class Node> void Accel::keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory) {
-    memory = DeviceArray<Node>(nodes);
-    facts_.nodes = static_cast<int>(nodes.size());
-    facts_.bytes += nodes.size() * sizeof(Node);
-}
-
-void Accel::keep_packs(const std::vector<TrianglePack>& packs) {
-    packs_ = DeviceArray<TrianglePack>(packs);
-    facts_.triangle_packs = static_cast<int>(packs.size());
-    facts_.bytes += packs.size() * sizeof(TrianglePack);
+void Accel::build(const std::vector<Triangle>& triangles, const MachineSettings& machine) {
+    const KnownWalk& walk = choice_.walk;
+    const Trees trees = build_trees(known_structure(walk.accel), walk.prepare, triangles, machine);
+    facts_.nodes = trees.nodes();
+    facts_.triangle_packs = static_cast<int>(trees.packs().size());
+    facts_.depth = trees.depth();
+    facts_.bytes = trees.bytes();
+    facts_.build_seconds = trees.seconds;
+    packs_ = DeviceArray<TrianglePack>(trees.packs());
+    kd_ = DeviceArray<KdNode>(trees.kd.nodes);
+    kd_leaf_of_ = DeviceArray<std::int32_t>(trees.kd.leaf_of);
+    kd_leaves_ = DeviceArray<KdLeaf>(trees.kd.leaves);
+    kd_bounds_ = trees.kd.bounds;
+    bvh_ = DeviceArray<BvhNode>(trees.bvh.nodes);
+    skip_ = DeviceArray<SkipNode>(trees.skip);
+    wide_ = DeviceArray<WideNode>(trees.wide.nodes);
+    wide_extent_ = trees.wide.extent;
 }
 
 void Accel::build_shapes(const Scene& scene) {
-    const Stopwatch watch;
+    const auto start = std::chrono::steady_clock::now();
     const BvhTree tree = build_shape_tree(scene);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     shape_facts_ = {static_cast<int>(scene.spheres.size()),
                     static_cast<int>(scene.quads.size()),
                     static_cast<int>(tree.nodes.size()),
                     tree.depth,
                     tree.node_bytes(),
-                    watch.seconds(),
+                    took.count(),
                     {},
                     {}};
     shape_boxes_ = DeviceArray<BvhNode>(tree.nodes);

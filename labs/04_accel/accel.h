@@ -14,10 +14,10 @@ namespace raylab::lab04 {
 
 class Accel {
   public:
-    // Builds what machine.accel asks for, on its threads. Throws SettingsError if there is no such
-    // walk. A scene without triangles has no structure and is not walked. Spheres and quads have a
-    // tree of their own where there are many, whatever the triangles have; with --accel none they
-    // have none either.
+    // Builds what machine.accel asks for. Throws SettingsError if there is no such walk. A scene
+    // without triangles has no structure and is not walked. Spheres and quads have a tree of their
+    // own where there are many, whatever the triangles have; with --accel none they have none
+    // either.
     Accel(const Scene& scene, const MachineSettings& machine);
 
     // triangles: the scene's, in device memory.
@@ -37,10 +37,7 @@ class Accel {
     void walk_with(const WalkKernels& kernels) { choice_.walk.kernels = kernels; }
 
   private:
-    void build(const std::vector<Triangle>& triangles, int threads);
-    template <class Node> void keep(const std::vector<Node>& nodes, DeviceArray<Node>& memory);
-    void keep_tree(const BvhTree& tree);
-    void keep_packs(const std::vector<TrianglePack>& packs);
+    void build(const std::vector<Triangle>& triangles, const MachineSettings& machine);
     void build_shapes(const Scene& scene);
 
     AccelChoice choice_;

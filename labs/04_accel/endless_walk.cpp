@@ -1,21 +1,18 @@
 #include "labs/04_accel/endless_walk.h"
 
+#include "labs/04_accel/walks.h"
+
 #include <fmt/format.h>
 
 namespace raylab::lab04 {
 
 namespace {
 
-// The mistake that each walk invites.
-std::string likely_cause(const std::string& walk) {
-    if (walk == "stack") return "a node that is its own descendant, or that is pushed twice";
-    if (walk == "ropes") return "a rope that leads back into the leaf it left, or a t that shrinks";
-    if (walk == "restart")
-        return "a ray's part that does not get shorter: a leaf must end behind where it begins";
-    if (walk == "skip") return "a skip link that leads to its own node or back to one before it";
-    if (walk == "parent")
-        return "a way up that turns down again: coming from the second child, go on up";
-    if (walk == "trail") return "a bit of the trail that is not cleared when its child was visited";
+// The mistake that this walk invites.
+std::string likely_cause(const StructureFacts& structure) {
+    for (const KnownWalk& known : known_walks())
+        if (known.accel == structure.name && known.walk == structure.walk)
+            return known.when_endless;
     return "a loop that does not count up";
 }
 
@@ -32,7 +29,7 @@ EndlessWalk endless_walk(const EndlessRay& endless, int width, std::uint32_t sam
         "nodes that it visits for this ray: the first that comes twice shows the mistake. The "
         "likely cause: {}.",
         most_steps, structure.name, structure.walk, endless.pixel % width, endless.pixel / width,
-        sample, text(ray.o), text(ray.d), ray.t_max, likely_cause(structure.walk)));
+        sample, text(ray.o), text(ray.d), ray.t_max, likely_cause(structure)));
 }
 
 } // namespace raylab::lab04

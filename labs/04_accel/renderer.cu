@@ -83,6 +83,12 @@ class AccelRenderer final : public Renderer {
 
 } // namespace
 
+std::vector<AccelSettings> accels() {
+    std::vector<AccelSettings> all;
+    for (const KnownWalk& known : known_walks()) all.push_back({known.accel, known.walk});
+    return all;
+}
+
 MemoryUse memory_use(const Scene& scene, const MachineSettings& machine) {
     const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
     const std::int64_t paths = std::min<std::int64_t>(machine.wavefront.pool, pixels);

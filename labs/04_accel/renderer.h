@@ -7,6 +7,9 @@ namespace raylab::lab04 {
 
 class Accel;
 
+// Each structure with each of its walks, as MachineSettings::accel names them.
+std::vector<AccelSettings> accels();
+
 // With the structure that `auto` would build, at a guess.
 MemoryUse memory_use(const Scene& scene, const MachineSettings& machine);
 

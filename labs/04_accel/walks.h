@@ -1,9 +1,10 @@
-// Which structures there are, and which walks each of them has.
+// The table of walks as the host has it, with their kernels.
 #pragma once
 
-#include "common/render/accel_settings.h"
 #include "labs/04_accel/kernels.h"
+#include "labs/04_accel/trees.h"
 
+#include <string>
 #include <vector>
 
 namespace raylab::lab04 {
@@ -14,13 +15,16 @@ struct WalkKernels {
     StageKernel* any;
 };
 
+// A row of walk_table.h.
 struct KnownWalk {
-    AccelKind accel;
-    WalkKind walk; // automatic: brute force has but one
+    std::string accel, walk; // their names, as in AccelSettings; brute force's walk is "auto"
+    const char* title;
+    const char* when_endless;
+    Prepare prepare; // null: the bare tree will do
     WalkKernels kernels;
 };
 
-// The structures from the fastest to the slowest, and for each its walks, the fastest first.
+// In the order of the table.
 const std::vector<KnownWalk>& known_walks();
 
 } // namespace raylab::lab04

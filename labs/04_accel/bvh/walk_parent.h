@@ -10,6 +10,7 @@
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/bvh/bvh.h"
 #include "labs/04_accel/leaf/visit_all.h"
+#include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
 
@@ -51,5 +52,17 @@ template <class Query> HD void walk_bvh_parent(const BvhView& bvh, Query& query)
     //| visit_all_packs(query);
     //]
 }
+
+// For the table of walks (walk_table.h).
+struct BvhParent {
+    static constexpr const char* name = "parent";
+    static constexpr const char* title = "parent pointers";
+    static constexpr const char* when_endless =
+        "a way up that turns down again: coming from the second child, go on up";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_parent(structure.bvh, query);
+    }
+};
 
 } // namespace raylab::lab04

@@ -4,6 +4,7 @@
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/bvh/skip_tree.h"
 #include "labs/04_accel/leaf/visit_all.h"
+#include "labs/04_accel/trees.h"
 
 namespace raylab::lab04 {
 
@@ -26,5 +27,23 @@ template <class Query> HD void walk_bvh_skip(const SkipView& line, Query& query)
     //| visit_all_packs(query);
     //]
 }
+
+// For the table of walks (walk_table.h).
+struct BvhSkip {
+    static constexpr const char* name = "skip";
+    static constexpr const char* title = "skip links";
+    static constexpr const char* when_endless =
+        "a skip link that leads to its own node or back to one before it";
+
+    // The line is all that this walk reads.
+    static void prepare(Trees& trees) {
+        trees.skip = lay_skip_links(trees.bvh);
+        trees.bvh.nodes = {};
+    }
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_skip(structure.skip, query);
+    }
+};
 
 } // namespace raylab::lab04

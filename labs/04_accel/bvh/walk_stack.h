@@ -5,6 +5,7 @@
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"
+#include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
 
@@ -41,5 +42,17 @@ template <class Query> HD void walk_bvh_stack(const BvhView& bvh, Query& query) 
         } while (stack[size].near > query.reach() * (1 + 2 * gamma_bound(3)));
     }
 }
+
+// For the table of walks (walk_table.h).
+struct BvhStack {
+    static constexpr const char* name = "stack";
+    static constexpr const char* title = "a stack";
+    static constexpr const char* when_endless =
+        "a node that is its own descendant, or that is pushed twice";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_stack(structure.bvh, query);
+    }
+};
 
 } // namespace raylab::lab04

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"
+#include "labs/04_accel/structure.h"
 
 #include <cstdint>
 
@@ -60,5 +61,17 @@ template <class Query> HD void walk_bvh_trail(const BvhView& bvh, Query& query) 
         node = child;
     }
 }
+
+// For the table of walks (walk_table.h).
+struct BvhTrail {
+    static constexpr const char* name = "trail";
+    static constexpr const char* title = "a trail of bits";
+    static constexpr const char* when_endless =
+        "a bit of the trail that is not cleared when its child was visited";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_bvh_trail(structure.bvh, query);
+    }
+};
 
 } // namespace raylab::lab04

@@ -8,6 +8,7 @@
 
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/kd/ray.h"
+#include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
 
@@ -52,5 +53,17 @@ template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& qu
     //| visit_all(tree, query);
     //]
 }
+
+// For the table of walks (walk_table.h).
+struct KdRestart {
+    static constexpr const char* name = "restart";
+    static constexpr const char* title = "from the root again";
+    static constexpr const char* when_endless =
+        "a ray's part that does not get shorter: a leaf must end behind where it begins";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_restart(structure.kd, query);
+    }
+};
 
 } // namespace raylab::lab04

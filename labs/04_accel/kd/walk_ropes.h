@@ -4,6 +4,8 @@
 
 #include "common/task/not_implemented.h"
 #include "labs/04_accel/kd/ray.h"
+#include "labs/04_accel/kd/ropes.h"
+#include "labs/04_accel/trees.h"
 
 namespace raylab::lab04 {
 
@@ -50,5 +52,19 @@ template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& quer
     //| visit_all(tree, query);
     //]
 }
+
+// For the table of walks (walk_table.h).
+struct KdRopes {
+    static constexpr const char* name = "ropes";
+    static constexpr const char* title = "ropes";
+    static constexpr const char* when_endless =
+        "a rope that leads back into the leaf it left, or a t that shrinks";
+
+    static void prepare(Trees& trees) { lay_ropes(trees.kd); }
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_ropes(structure.kd, query);
+    }
+};
 
 } // namespace raylab::lab04

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "labs/04_accel/kd/ray.h"
+#include "labs/04_accel/structure.h"
 
 namespace raylab::lab04 {
 
@@ -37,5 +38,17 @@ template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& quer
         part = {part.end, later[waiting].end};
     }
 }
+
+// For the table of walks (walk_table.h).
+struct KdStack {
+    static constexpr const char* name = "stack";
+    static constexpr const char* title = "a stack";
+    static constexpr const char* when_endless =
+        "a node that is its own descendant, or that is pushed twice";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_kd_stack(structure.kd, query);
+    }
+};
 
 } // namespace raylab::lab04

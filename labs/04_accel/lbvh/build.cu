@@ -298,15 +298,16 @@ BvhTree to_host(const DeviceBvh& bvh) {
     return tree;
 }
 
-BvhTree build_lbvh(const std::vector<Triangle>& triangles, int threads, double& seconds) {
-    configure_machine({.threads = threads});
+BvhTree build_lbvh(const std::vector<Triangle>& triangles, const MachineSettings& machine,
+                   double& seconds) {
+    configure_machine(machine);
     const DeviceArray<Triangle> on_device(triangles);
     check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
     const auto start = std::chrono::steady_clock::now();
     const DeviceBvh bvh = build_lbvh({on_device.data(), static_cast<int>(triangles.size())});
     check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {bvh.nodes.to_host(), bvh.packs.to_host(), 0};
+    return to_host(bvh);
 }
 
 } // namespace raylab::lab04

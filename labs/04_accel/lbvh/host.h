@@ -2,12 +2,14 @@
 #pragma once
 
 #include "common/geometry/shapes.h"
+#include "common/render/renderer.h"
 #include "labs/04_accel/bvh/tree.h"
 
 namespace raylab::lab04 {
 
-// Copies the triangles to the device, builds there, and brings the tree back; depth is left out.
-// seconds: of building alone, without the copies.
-BvhTree build_lbvh(const std::vector<Triangle>& triangles, int threads, double& seconds);
+// Copies the triangles to the device, builds there, and brings the tree back. seconds: of building
+// alone, without the copies.
+BvhTree build_lbvh(const std::vector<Triangle>& triangles, const MachineSettings& machine,
+                   double& seconds);
 
 } // namespace raylab::lab04

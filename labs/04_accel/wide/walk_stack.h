@@ -2,6 +2,7 @@
 #pragma once
 
 #include "labs/04_accel/leaf/fetch_ahead.h"
+#include "labs/04_accel/structure.h"
 #include "labs/04_accel/wide/wide_bvh.h"
 
 namespace raylab::lab04 {
@@ -48,5 +49,17 @@ template <class Query> HD void walk_wide_stack(const WideView& bvh, Query& query
         }
     }
 }
+
+// For the table of walks (walk_table.h).
+struct WideStack {
+    static constexpr const char* name = "stack";
+    static constexpr const char* title = "a stack";
+    static constexpr const char* when_endless =
+        "a node that is its own descendant, or that is pushed twice";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_wide_stack(structure.wide, query);
+    }
+};
 
 } // namespace raylab::lab04

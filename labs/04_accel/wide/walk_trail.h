@@ -6,6 +6,7 @@
 #pragma once
 
 #include "labs/04_accel/leaf/fetch_ahead.h"
+#include "labs/04_accel/structure.h"
 #include "labs/04_accel/wide/wide_bvh.h"
 
 namespace raylab::lab04 {
@@ -63,5 +64,17 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
         }
     }
 }
+
+// For the table of walks (walk_table.h).
+struct WideTrail {
+    static constexpr const char* name = "trail";
+    static constexpr const char* title = "a trail of bits";
+    static constexpr const char* when_endless =
+        "a bit of the trail that is not cleared when its child was visited";
+
+    template <class Query> HD static void walk(const StructureView& structure, Query& query) {
+        walk_wide_trail(structure.wide, query);
+    }
+};
 
 } // namespace raylab::lab04
