@@ -1,8 +1,8 @@
 // Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
-// into one pack, which is a leaf. Subtrees are built by tasks (build/tasks.h).
+// into one pack, which is a leaf. The recursion is the driver's (build/driver.h).
 #include "labs/04_accel/bvh/sah.h"
 
-#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/build/driver.h"
 #include "labs/04_accel/bvh/split.h"
 #include "labs/04_accel/leaf/packs.h"
 
@@ -10,6 +10,8 @@
 #include <array>
 #include <bit>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace raylab::lab04 {
 namespace {
@@ -129,86 +131,70 @@ Child finish(BvhTree& tree, int self, int axis, const Child& left, const Child& 
     return {self, box};
 }
 
-// A subtree, numbered from 0, made by one thread.
-struct Subtree {
-    const Cutter& cutter;
-    BvhTree tree;
+// Cuts nodes and writes them for the driver (build/driver.h).
+class SahBuilder {
+  public:
+    using Tree = BvhTree;
+    using Part = Work;
+    using Cut = Halves;
+    using Root = Child;
+    using Memory = std::shared_ptr<const std::vector<BuildItem>>;
 
-    Child leaf(const Work& work) {
+    // memory: of the items that it begins with.
+    SahBuilder(const Cutter& cutter, Memory memory) : cutter_(cutter), memory_(std::move(memory)) {}
+
+    std::size_t size(const Work& work) const { return work.items.size(); }
+
+    std::optional<Halves> cut(const Work& work) const {
+        if (work.items.size() <= triangles_per_pack) return {};
+        return cutter_.cut(work);
+    }
+
+    Child leaf(const Work& work, BvhTree& tree, int) const {
+        tree.depth = std::max(tree.depth, work.depth);
         std::array<int, triangles_per_pack> indices;
         Bounds box;
         for (std::size_t i = 0; i < work.items.size(); ++i) {
             indices[i] = work.items[i].index;
             box.include(work.items[i].box);
         }
-        append_packs(cutter.triangles, {indices.data(), work.items.size()}, tree.packs);
+        append_packs(cutter_.triangles, {indices.data(), work.items.size()}, tree.packs);
         return {~static_cast<int>(tree.packs.size() - 1), box};
     }
 
-    Child build(const Work& work, int parent) {
-        tree.depth = std::max(tree.depth, work.depth);
-        if (work.items.size() <= triangles_per_pack) return leaf(work);
-        const int self = add_node(tree, parent);
-        const Halves halves = cutter.cut(work);
-        const Child left = build(halves.half[0], self);
-        return finish(tree, self, halves.axis, left, build(halves.half[1], self));
-    }
-};
-
-// A node at the top of the tree that is cut, or a subtree that is built in one go.
-struct Piece {
-    using Memory = std::shared_ptr<const std::vector<BuildItem>>;
-
-    const Cutter& cutter;
-    Memory memory; // of the items
-    Work work;
-    int axis = 0;
-    std::unique_ptr<Piece> half[2] = {};
-    BvhTree tree = {}; // if it is whole
-    Child root = {};   // and its root there
-
-    std::size_t size() const { return work.items.size(); }
-
-    bool cut() {
-        Halves halves = cutter.cut(work);
-        axis = halves.axis;
-        for (int k = 0; k < 2; ++k) {
-            auto& made = halves.made[k];
-            half[k].reset(new Piece{
-                cutter,
-                made.empty() ? memory : std::make_shared<std::vector<BuildItem>>(std::move(made)),
-                halves.half[k]});
-        }
-        memory.reset();
-        return true;
+    std::pair<SahBuilder, Work> take(Halves& cut, int k) const {
+        auto& made = cut.made[k];
+        const Memory memory =
+            made.empty() ? memory_ : std::make_shared<std::vector<BuildItem>>(std::move(made));
+        return {SahBuilder(cutter_, memory), cut.half[k]};
     }
 
-    void build() {
-        Subtree subtree{cutter, {}};
-        root = subtree.build(work, -1);
-        tree = std::move(subtree.tree);
-        memory.reset();
+    // The place of a node is its parent's number, and nodes come in a line.
+    static int begin(BvhTree&) { return -1; }
+    static int open(BvhTree& tree, int parent, const Halves&) { return add_node(tree, parent); }
+    static int place_in(int node, int) { return node; }
+    static Child close(BvhTree& tree, int node, const Halves& cut, const Child& left,
+                       const Child& right) {
+        return finish(tree, node, cut.axis, left, right);
     }
 
-    // Appends it to a tree, in the order in which one thread makes nodes.
-    Child append_to(BvhTree& all, int parent) {
-        if (half[0]) {
-            const int self = add_node(all, parent);
-            const Child left = half[0]->append_to(all, self);
-            return finish(all, self, axis, left, half[1]->append_to(all, self));
-        }
-        const int nodes = static_cast<int>(all.nodes.size()),
-                  packs = static_cast<int>(all.packs.size());
+    static Child append(BvhTree& tree, int parent, const BvhTree& subtree, const Child& root) {
+        const int nodes = static_cast<int>(tree.nodes.size()),
+                  packs = static_cast<int>(tree.packs.size());
         const auto moved = [&](int child) { return child + (is_leaf(child) ? -packs : nodes); };
-        for (BvhNode node : tree.nodes) {
+        for (BvhNode node : subtree.nodes) {
             for (int& child : node.child) child = moved(child);
             node.parent = node.parent < 0 ? parent : node.parent + nodes;
-            all.nodes.push_back(node);
+            tree.nodes.push_back(node);
         }
-        all.packs.insert(all.packs.end(), tree.packs.begin(), tree.packs.end());
-        all.depth = std::max(all.depth, tree.depth);
+        tree.packs.insert(tree.packs.end(), subtree.packs.begin(), subtree.packs.end());
+        tree.depth = std::max(tree.depth, subtree.depth);
         return {moved(root.child), root.box};
     }
+
+  private:
+    const Cutter& cutter_;
+    Memory memory_;
 };
 
 } // namespace
@@ -220,11 +206,10 @@ BvhTree build_bvh_sah(const std::vector<Triangle>& triangles, int threads) {
     for (const BuildItem& item : *items) box.include(item.box);
     const float largest = max_component(glm::max(abs(box.low), abs(box.high)));
     const Cutter cutter{triangles, KdClip(largest), half_area(box)};
-    Piece root{cutter, items, {*items, 0, (most_references - 1) * double(items->size()), 0}};
-    build_in_pieces(root, threads);
+    const Work all{*items, 0, (most_references - 1) * double(items->size()), 0};
 
     BvhTree tree;
-    const Child top = root.append_to(tree, -1);
+    const Child top = build_tree(SahBuilder(cutter, items), all, threads, tree);
     // A tree of one leaf: a root with nothing on its other side.
     if (is_leaf(top.child)) finish(tree, add_node(tree, -1), 0, top, {no_child, {}});
     return tree;

@@ -1,17 +1,17 @@
-// Building a KD-tree, from the root down; see kd/build.h. Subtrees are built by tasks
-// (build/tasks.h).
+// Building a KD-tree, from the root down; see kd/build.h. The recursion is the driver's
+// (build/driver.h); here cells are cut and nodes written.
 #include "labs/04_accel/kd/build.h"
 
 #include "common/geometry/triangle.h"
 #include "common/task/not_implemented.h"
-#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/build/driver.h"
 #include "labs/04_accel/leaf/packs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace raylab::lab04 {
 
@@ -37,56 +37,95 @@ struct Halves {
     Cell half[2]; // below the plane, above it
 };
 
-// Cuts cells, and makes subtrees of them, numbered from 0. One for each thread: its stacks are its
-// own.
-class Builder {
-  public:
-    Builder(const std::vector<Triangle>& triangles, const KdBuildSettings& settings, KdClip clip)
-        : triangles_(triangles), settings_(settings), clip_(clip) {}
+// A cell, and where its references are: on the stack work_ from `begin` on, or, while the cell
+// below it is built, on the stack later_ from `waiting` on.
+struct Part {
+    Cell cell;
+    std::size_t begin;
+    std::size_t waiting = nowhere;
 
-    KdTree build(const Cell& cell, std::vector<KdReference> references) {
-        work_ = std::move(references);
-        tree_.nodes.emplace_back();
-        subdivide(0, cell, 0);
-        return std::move(tree_);
+    static constexpr std::size_t nowhere = -1;
+};
+
+struct Cut {
+    KdPlane plane;
+    Part half[2];
+};
+
+// Cuts cells and writes nodes for the driver (build/driver.h). One for each piece of the tree: the
+// stacks are its own.
+class KdBuilder {
+  public:
+    using Tree = KdTree;
+    using Part = lab04::Part;
+    using Cut = lab04::Cut;
+    struct Root {}; // nothing: a node knows its children by their place
+
+    KdBuilder(const std::vector<Triangle>& triangles, const KdBuildSettings& settings, KdClip clip,
+              std::vector<KdReference> references)
+        : triangles_(triangles), settings_(settings), clip_(clip), work_(std::move(references)) {}
+
+    std::size_t size(const Part& part) const { return work_.size() - part.begin; }
+
+    std::optional<Cut> cut(const Part& part) {
+        if (part.waiting != Part::nowhere) { // its turn has come
+            work_.insert(work_.end(), later_.begin() + part.waiting, later_.end());
+            later_.resize(part.waiting);
+        }
+        const std::size_t waiting = later_.size();
+        const std::optional<Halves> halves = cut(part.cell, part.begin);
+        if (!halves) return {};
+        return Cut{halves->plane,
+                   {{halves->half[0], part.begin}, {halves->half[1], part.begin, waiting}}};
     }
 
-    // The two parts of a cell, and their references; nothing if it is better left whole.
-    std::optional<Halves> cut(const Cell& cell, std::vector<KdReference> references,
-                              std::vector<KdReference>& below, std::vector<KdReference>& above) {
-        work_ = std::move(references);
-        const auto halves = cut(cell, 0);
-        below = std::move(work_), above = std::move(later_);
-        return halves;
+    // Takes the references off work_.
+    Root leaf(const Part& part, KdTree& tree, int place) {
+        std::vector<int> indices;
+        for (std::size_t i = part.begin; i < work_.size(); ++i)
+            indices.push_back(work_[i].triangle);
+        work_.resize(part.begin);
+        const int first = int(tree.packs.size());
+        append_packs(triangles_, indices, tree.packs);
+        tree.nodes[place] = KdNode::leaf(first, int(tree.packs.size()) - first);
+        return {};
+    }
+
+    // Of the first cut of a piece: what is below is all of work_, what is above all of later_.
+    std::pair<KdBuilder, Part> take(const Cut& cut, int k) {
+        return {KdBuilder(triangles_, settings_, clip_, std::move(k == 0 ? work_ : later_)),
+                Part{cut.half[k].cell, 0}};
+    }
+
+    static int begin(KdTree& tree) {
+        tree.nodes.emplace_back();
+        return 0;
+    }
+    // Two children lie side by side, behind all nodes so far; the first one's place is returned.
+    static int open(KdTree& tree, int place, const Cut& cut) {
+        const int children = int(tree.nodes.size());
+        tree.nodes[place] = KdNode::inner(cut.plane.axis, cut.plane.at, children);
+        tree.nodes.resize(children + 2);
+        return children;
+    }
+    static int place_in(int children, int k) { return children + k; }
+    static Root close(KdTree&, int, const Cut&, Root, Root) { return {}; }
+
+    static Root append(KdTree& tree, int place, const KdTree& subtree, Root) {
+        const int nodes = int(tree.nodes.size()), packs = int(tree.packs.size());
+        const auto moved = [&](const KdNode& from) { // the root, node 0, does not lie with the rest
+            return from.is_leaf()
+                       ? KdNode::leaf(from.first_pack + packs, from.packs())
+                       : KdNode::inner(from.axis(), from.split, from.below() + nodes - 1);
+        };
+        tree.nodes[place] = moved(subtree.nodes[0]);
+        std::transform(subtree.nodes.begin() + 1, subtree.nodes.end(),
+                       std::back_inserter(tree.nodes), moved);
+        tree.packs.insert(tree.packs.end(), subtree.packs.begin(), subtree.packs.end());
+        return {};
     }
 
   private:
-    // Takes the references off work_ and puts a leaf in place of the node.
-    void make_leaf(int node, std::size_t begin) {
-        std::vector<int> indices;
-        for (std::size_t i = begin; i < work_.size(); ++i) indices.push_back(work_[i].triangle);
-        work_.resize(begin);
-        const int first = int(tree_.packs.size());
-        append_packs(triangles_, indices, tree_.packs);
-        tree_.nodes[node] = KdNode::leaf(first, int(tree_.packs.size()) - first);
-    }
-
-    // Makes the node a leaf, or cuts its cell and goes on with the parts; either takes the cell's
-    // references, work_[begin], ... to the end, off work_. Of two children the lower is finished
-    // first, while the references of the upper wait on later_.
-    void subdivide(int node, const Cell& cell, std::size_t begin) {
-        const std::size_t later_begin = later_.size();
-        const auto halves = cut(cell, begin);
-        if (!halves) return make_leaf(node, begin);
-        const int children = int(tree_.nodes.size());
-        tree_.nodes[node] = KdNode::inner(halves->plane.axis, halves->plane.at, children);
-        tree_.nodes.resize(children + 2);
-        subdivide(children, halves->half[0], begin);
-        work_.insert(work_.end(), later_.begin() + later_begin, later_.end());
-        later_.resize(later_begin);
-        subdivide(children + 1, halves->half[1], begin);
-    }
-
     // Cuts the cell where that costs least, if a leaf costs more and the limits allow it: what is
     // below stays on work_, and what is above goes to later_.
     // Steps:
@@ -156,54 +195,6 @@ class Builder {
     KdBuildSettings settings_;
     KdClip clip_;
     std::vector<KdReference> work_, later_; // stacks: of this cell, of cells that wait
-    KdTree tree_;
-};
-
-// A cell at the top of the tree that is cut, or a subtree that is built in one go.
-struct Piece {
-    const Builder& builder; // what theirs are copied from
-    Cell cell;
-    std::vector<KdReference> references;
-    KdPlane plane = {};
-    std::unique_ptr<Piece> half[2] = {};
-    KdTree tree = {}; // if it is whole
-
-    std::size_t size() const { return references.size(); }
-
-    bool cut() {
-        std::vector<KdReference> below, above;
-        const auto halves = Builder(builder).cut(cell, std::move(references), below, above);
-        if (!halves) {
-            references = std::move(below);
-            return false;
-        }
-        plane = halves->plane;
-        half[0].reset(new Piece{builder, halves->half[0], std::move(below)});
-        half[1].reset(new Piece{builder, halves->half[1], std::move(above)});
-        return true;
-    }
-
-    void build() { tree = Builder(builder).build(cell, std::move(references)); }
-
-    // Puts it in place of a node, in the order in which one thread makes nodes.
-    void append_to(KdTree& all, int node) {
-        const int nodes = int(all.nodes.size()), packs = int(all.packs.size());
-        if (half[0]) {
-            all.nodes[node] = KdNode::inner(plane.axis, plane.at, nodes);
-            all.nodes.resize(nodes + 2);
-            half[0]->append_to(all, nodes);
-            return half[1]->append_to(all, nodes + 1);
-        }
-        const auto moved = [&](const KdNode& from) { // the root, node 0, does not lie with the rest
-            return from.is_leaf()
-                       ? KdNode::leaf(from.first_pack + packs, from.packs())
-                       : KdNode::inner(from.axis(), from.split, from.below() + nodes - 1);
-        };
-        all.nodes[node] = moved(tree.nodes[0]);
-        std::transform(tree.nodes.begin() + 1, tree.nodes.end(), std::back_inserter(all.nodes),
-                       moved);
-        all.packs.insert(all.packs.end(), tree.packs.begin(), tree.packs.end());
-    }
 };
 
 } // namespace
@@ -231,11 +222,8 @@ KdTree build_kd_tree(const std::vector<Triangle>& triangles, const KdBuildSettin
     }
     const Cell cell{tree.bounds, kd_depth_limit(good.size()),
                     (settings.copies - 1) * double(good.size())};
-    const Builder builder(triangles, settings, clip);
-    Piece root{builder, cell, std::move(references)};
-    build_in_pieces(root, settings.threads);
-    tree.nodes.emplace_back();
-    root.append_to(tree, 0);
+    build_tree(KdBuilder(triangles, settings, clip, std::move(references)), Part{cell, 0},
+               settings.threads, tree);
     return tree;
 }
 

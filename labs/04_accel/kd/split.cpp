@@ -64,7 +64,8 @@ class Search {
     double faces_ = 0, around_ = 0;
 };
 
-void try_every_place(std::span<const KdReference> references, int axis, Search& search) {
+// The axis is a constant for the compiler, so v[axis] is a load and not a choice of three.
+template <int axis> void try_every_place(std::span<const KdReference> references, Search& search) {
     // Steps:
     // 1. Sort along the axis where boxes begin, and apart from them where boxes end.
     // 2. Go up through both lists; the next plane is at whichever comes first.
@@ -89,8 +90,8 @@ void try_every_place(std::span<const KdReference> references, int axis, Search& 
     //]
 }
 
-void try_bins(std::span<const KdReference> references, const Bounds& cell, int axis,
-              Search& search) {
+template <int axis>
+void try_bins(std::span<const KdReference> references, const Bounds& cell, Search& search) {
     // Steps:
     // 1. Count in which of the bins each box begins, and in which it ends.
     // 2. Consider the place where the first box begins, and the place where the last one ends.
@@ -122,19 +123,24 @@ void try_bins(std::span<const KdReference> references, const Bounds& cell, int a
     //]
 }
 
+template <int axis>
+void try_axis(std::span<const KdReference> references, const Bounds& cell, Search& search) {
+    search.across(axis);
+    if (references.size() <= few) {
+        try_every_place<axis>(references, search);
+    } else {
+        try_bins<axis>(references, cell, search);
+    }
+}
+
 } // namespace
 
 KdPlane best_plane(std::span<const KdReference> references, const Bounds& cell,
                    const KdCosts& costs) {
     Search search(cell, int(references.size()), costs);
-    for (int axis = 0; axis < 3; ++axis) {
-        search.across(axis);
-        if (references.size() <= few) {
-            try_every_place(references, axis, search);
-        } else {
-            try_bins(references, cell, axis, search);
-        }
-    }
+    try_axis<0>(references, cell, search);
+    try_axis<1>(references, cell, search);
+    try_axis<2>(references, cell, search);
     return search.best;
 }
 
