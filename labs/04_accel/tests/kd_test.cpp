@@ -102,7 +102,8 @@ TEST(KdTree, TreeDepth) {
             EXPECT_LE(kd_depth_limit(triangles->size()), kd_max_depth);
             std::size_t references = 0;
             for (const TrianglePack& pack : tree.packs)
-                references += 4 - std::count(pack.index, pack.index + 4, -1);
+                references += triangles_per_pack -
+                              std::count(pack.index, pack.index + triangles_per_pack, -1);
             EXPECT_LE(references, settings.copies * triangles->size());
         }
     }
