@@ -2,7 +2,7 @@
 // into one pack, which is a leaf. The recursion is the driver's (build/driver.h).
 #include "labs/04_accel/bvh/sah.h"
 
-#include "labs/04_accel/build/driver.h"
+#include "labs/04_accel/builder/driver.h"
 #include "labs/04_accel/bvh/split.h"
 #include "labs/04_accel/leaf/packs.h"
 

@@ -9,8 +9,8 @@
 // Bounding Volume Hierarchies, HPG 2009).
 #pragma once
 
-#include "labs/04_accel/build/clip.h"
-#include "labs/04_accel/build/items.h"
+#include "labs/04_accel/builder/clip.h"
+#include "labs/04_accel/builder/items.h"
 
 #include <span>
 #include <vector>

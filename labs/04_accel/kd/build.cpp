@@ -4,7 +4,7 @@
 
 #include "common/geometry/triangle.h"
 #include "common/task/not_implemented.h"
-#include "labs/04_accel/build/driver.h"
+#include "labs/04_accel/builder/driver.h"
 #include "labs/04_accel/leaf/packs.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 // begins or ends: between two such places the counts stay and the cost is linear.
 #pragma once
 
-#include "labs/04_accel/build/clip.h"
+#include "labs/04_accel/builder/clip.h"
 #include "labs/04_accel/leaf/triangle_pack.h"
 
 #include <span>

@@ -1,5 +1,5 @@
 // Trees built on several threads are, byte for byte, those that one thread builds.
-#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/builder/tasks.h"
 
 #include "common/load/procedural/procedural.h"
 #include "labs/04_accel/bvh/sah.h"

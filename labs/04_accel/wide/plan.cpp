@@ -1,6 +1,6 @@
 #include "labs/04_accel/wide/plan.h"
 
-#include "labs/04_accel/build/items.h"
+#include "labs/04_accel/builder/items.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/builder/tasks.h"
 
 #include <thread>
 
