@@ -2,7 +2,7 @@
 //
 // It cuts what the tree is built of in two parts, and each part again, until the builder makes a
 // leaf of it. Nodes come depth first: a node, then all below its first half, then all below its
-// second half. Several threads share the work in pieces (build/tasks.h): each piece grows a subtree
+// second half. Several threads share the work in pieces (builder/tasks.h): each piece grows a subtree
 // with numbers of its own, and at the end the driver appends the subtrees to one another in the
 // order in which one thread makes nodes. So the tree has the same bytes from any number of threads,
 // as long as what happens to a part depends on the part alone. What subtrees may spend together,
@@ -26,7 +26,7 @@
 //     append(tree, place, subtree, root)     a whole subtree; its Root in the tree
 #pragma once
 
-#include "labs/04_accel/build/tasks.h"
+#include "labs/04_accel/builder/tasks.h"
 
 #include <memory>
 #include <optional>

@@ -1,5 +1,5 @@
 // Top down: a node is cut in two where the surface area heuristic says, until its triangles fit
-// into one pack, which is a leaf. The recursion is the driver's (build/driver.h).
+// into one pack, which is a leaf. The recursion is the driver's (builder/driver.h).
 #include "labs/04_accel/bvh/sah.h"
 
 #include "labs/04_accel/builder/driver.h"
@@ -131,7 +131,7 @@ Child finish(BvhTree& tree, int self, int axis, const Child& left, const Child& 
     return {self, box};
 }
 
-// Cuts nodes and writes them for the driver (build/driver.h).
+// Cuts nodes and writes them for the driver (builder/driver.h).
 class SahBuilder {
   public:
     using Tree = BvhTree;

@@ -1,5 +1,5 @@
 // Building a KD-tree, from the root down; see kd/build.h. The recursion is the driver's
-// (build/driver.h); here cells are cut and nodes written.
+// (builder/driver.h); here cells are cut and nodes written.
 #include "labs/04_accel/kd/build.h"
 
 #include "common/geometry/triangle.h"
@@ -52,7 +52,7 @@ struct Cut {
     Part half[2];
 };
 
-// Cuts cells and writes nodes for the driver (build/driver.h). One for each piece of the tree: the
+// Cuts cells and writes nodes for the driver (builder/driver.h). One for each piece of the tree: the
 // stacks are its own.
 class KdBuilder {
   public:

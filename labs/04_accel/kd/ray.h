@@ -3,7 +3,7 @@
 // All walks compute a plane's t by the same three operations, in double, and compare those t alone.
 // So for them the planes that a ray meets have one order, and each walk comes to the same leaves.
 //
-// A leaf holds every triangle that comes within a margin of its cell (build/clip.h), at least 2^-40
+// A leaf holds every triangle that comes within a margin of its cell (builder/clip.h), at least 2^-40
 // of the scene's largest coordinate. Two things may put the place of a hit outside the cell that a
 // walk looks for it in. t has three roundings: 3 * 2^-53 |plane - o|, sideways. And the triangle
 // test takes a ray to pass an edge that it misses by 2^-49 of the corners' distance (edge_error()
