@@ -12,8 +12,9 @@ struct AccelChoice {
     std::string why; // "asked for", "121 triangles are ..."
 };
 
-// Up to here a ray tests all triangles as fast as it finds its way down a tree. Measured, ns a ray
-// of none and of sah: 24 triangles 55 and 59, 48 triangles 94 and 74, 96 triangles 166 and 103.
+// Up to so many triangles, a ray tests all of them as fast as it goes down a tree. Measured ns a
+// ray without a structure and with sah: 24 triangles 55 and 59, 48 triangles 94 and 74, 96
+// triangles 166 and 103.
 constexpr int few_triangles = 32;
 
 // What is asked for; where it is left open, what is fastest. Throws SettingsError, which names the

@@ -1,9 +1,8 @@
-// What is said of a walk that does not end.
+// The message about a walk that does not end.
 //
-// Every step of a walk must bring it nearer to its end: deeper, or on to what is still unvisited.
-// One mistake in a link and it goes round in circles, on a GPU for ever, with nothing on the
-// screen. So walks count their nodes (leaf/query.h, most_steps), and the first that has no end
-// stops the render.
+// Every step must bring a walk nearer to its end: deeper, or on to what is not visited yet. With
+// one mistake in a link it goes round in circles, on a GPU for ever and without a message. So walks
+// count their nodes (leaf/query.h, most_steps), and the first walk without an end stops the render.
 #pragma once
 
 #include "common/film/ledger.h"

@@ -9,8 +9,8 @@
 
 namespace raylab::lab04 {
 
-// One of the trees, or none; the others are empty. Whatever the tree, its leaves are numbers
-// of packs of triangles.
+// At most one of the trees is there; the others are empty. The leaves of each tree are numbers of
+// packs of triangles.
 struct StructureView {
     Leaves leaves;
     KdView kd;

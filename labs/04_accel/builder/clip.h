@@ -1,7 +1,7 @@
-// The part of a triangle in a cell, as a box around it: what the construction of a KD-tree sorts.
-// Wald and Havran 2006, section 4.4 ("perfect splits"); Havran, Heuristic Ray Shooting Algorithms,
-// 2000, on why the whole triangle's box will not do: a slanted triangle is in few of the cells that
-// its box is in.
+// Boxes around the part of a triangle that lies in a cell: these are what the builder of a KD-tree
+// sorts. Wald and Havran 2006, section 4.4 ("perfect splits"). The box of the whole triangle will
+// not do, since a slanted triangle is in few of the cells that its box is in (Havran, Heuristic Ray
+// Shooting Algorithms, 2000).
 #pragma once
 
 #include "common/geometry/bounds.h"
@@ -12,9 +12,10 @@
 
 namespace raylab::lab04 {
 
-// A triangle in a cell. box: around all of the triangle that lies in the cell or within the margin
-// of it, and the margin besides. So a child has the triangle if the box reaches into it: a corner
-// that only touches the plane from outside is on both sides, and no box is flat.
+// A triangle in a cell. box: it contains the part of the triangle that lies in the cell or within
+// the margin of it, and is larger by the margin on all sides. A child holds the triangle if this
+// box reaches into the child. So a triangle that only touches the plane is on both sides of it, and
+// no box is flat.
 struct KdReference {
     Bounds box;
     int triangle;
@@ -22,8 +23,8 @@ struct KdReference {
 
 class KdClip {
   public:
-    // Room for what walks round off (kd/ray.h): 2^-40 of the largest coordinate. Boxes are widened
-    // by twice that and rounded away from the triangle, by at least half an ulp.
+    // largest: of the scene's coordinates. The margin is 2^-40 of it, room for the rounding in
+    // walks (kd/ray.h). Boxes are widened by twice the margin and rounded outwards to float.
     explicit KdClip(float largest) : margin_(0x1p-40 * largest) {}
 
     Bounds whole(const Triangle& triangle) const {
@@ -55,7 +56,7 @@ class KdClip {
         void include(DVec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
     };
 
-    // Where the edge meets the plane, to 2^-50 of its coordinates.
+    // Where the edge from a to b meets the plane; off by at most 2^-50 of the coordinates.
     static DVec3 on(DVec3 a, DVec3 b, int axis, double plane) {
         DVec3 p = a + (b - a) * ((plane - a[axis]) / (b[axis] - a[axis]));
         p[axis] = plane;

@@ -2,11 +2,11 @@
 //
 // It cuts what the tree is built of in two parts, and each part again, until the builder makes a
 // leaf of it. Nodes come depth first: a node, then all below its first half, then all below its
-// second half. Several threads share the work in pieces (builder/tasks.h): each piece grows a subtree
-// with numbers of its own, and at the end the driver appends the subtrees to one another in the
-// order in which one thread makes nodes. So the tree has the same bytes from any number of threads,
-// as long as what happens to a part depends on the part alone. What subtrees may spend together,
-// such as references that cuts add, a cut must share out between its halves.
+// second half. Several threads share the work in pieces (builder/tasks.h): each piece grows a
+// subtree with numbers of its own, and at the end the driver appends the subtrees to one another in
+// the order in which one thread makes nodes. So the tree has the same bytes from any number of
+// threads, as long as what happens to a part depends on the part alone. What subtrees may spend
+// together, such as references that cuts add, a cut must share out between its halves.
 //
 // A Builder is a type with
 //     Tree   what is built

@@ -12,11 +12,11 @@ struct BuildItem {
     Bounds box;
     int index; // in the scene's triangles
 
-    // Twice the centre, so that it costs no rounding beyond the sum.
+    // Twice the centre of the box: what is compared need not be halved.
     float centre(int axis) const { return box.low[axis] + box.high[axis]; }
 };
 
-// Half the surface of a box: what the chance of a random ray to cross it is proportional to.
+// Half the surface of a box. The chance that a random ray crosses the box is proportional to it.
 inline double half_area(const Bounds& box) {
     const double x = double(box.high.x) - box.low.x, y = double(box.high.y) - box.low.y,
                  z = double(box.high.z) - box.low.z;

@@ -1,9 +1,9 @@
 // Building a tree on several threads: the cuts at its top make subtrees, and each is a task.
 //
-// Threads take the largest task there is, so that none waits for a large one that began last. Who
-// builds what depends on the machine's mood; so every subtree keeps what it makes to itself, and
-// whoever asked for the tree puts the subtrees together, depth first, as one thread would have made
-// them. Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, 2007, section 4.
+// A thread always takes the largest task: if a large one began last, all other threads would wait
+// for it. Which thread builds which subtree changes from run to run. So every task writes to memory
+// of its own, and the driver (builder/driver.h) puts the subtrees together at the end. Wald, On
+// Fast Construction of SAH-based Bounding Volume Hierarchies, 2007, section 4.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace raylab::lab04 {
 // Tasks that may add tasks.
 class BuildTasks {
   public:
-    // size: what takes long is begun first. May be called by tasks, on any thread.
+    // size: of the work; large tasks begin first. May be called by tasks, on any thread.
     void add(std::size_t size, std::function<void()> work);
 
     // Returns when all tasks are done, by so many threads, this one among them. Throws what the

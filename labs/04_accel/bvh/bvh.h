@@ -1,9 +1,9 @@
 // The binary tree of boxes, as a walk reads it.
 //
-// A node holds the boxes of both its children, side by side, so that one cache line answers the
-// question a walk asks: which of the two does the ray cross, and which one first? A node has no box
-// of its own; its parent has it. Aila and Laine, Understanding the Efficiency of Ray Traversal on
-// GPUs, HPG 2009, section 3.
+// A node holds the boxes of both its children, side by side. A walk asks at each node: which of the
+// two does the ray cross, and which one first? So one cache line holds all that it needs. The box
+// of the node itself is in its parent. Aila and Laine, Understanding the Efficiency of Ray
+// Traversal on GPUs, HPG 2009, section 3.
 #pragma once
 
 #include "common/geometry/bounds.h"
@@ -41,11 +41,12 @@ struct PairCrossing {
     bool met0, met1;
 };
 
-// A comparison that a NaN makes false leaves `b`: one instruction on either machine.
+// If either is a NaN the comparison is false, and the result is b. One instruction on either
+// machine.
 HD_HOT float larger(float a, float b) { return a > b ? a : b; }
 HD_HOT float smaller(float a, float b) { return a < b ? a : b; }
 
-// Where the ray is within both boxes, as far as the axes looked at tell.
+// The parts of the ray inside two boxes, as far as the axes tell that have been looked at.
 struct PairInterval {
     float near0, near1, far0, far1;
 
@@ -61,13 +62,14 @@ struct PairInterval {
 };
 
 // Which of the two boxes does the ray cross within [0, t_max]? As crosses() in bounds.h, for both
-// at once: near faces by the sign of d; NaN leaves the interval as it was; three roundings a face.
+// at once: the sign of d tells which face is the near one, and a t that is a NaN leaves the
+// interval as it was.
 HD_HOT PairCrossing cross(const BvhNode& node, const SlabRay& ray, float t_max) {
     PairInterval t{0, 0, t_max, t_max};
     t.narrow(node.box[0], ray.negative[0], ray.o.x, ray.inv_d.x);
     t.narrow(node.box[1], ray.negative[1], ray.o.y, ray.inv_d.y);
     t.narrow(node.box[2], ray.negative[2], ray.o.z, ray.inv_d.z);
-    constexpr float room = 1 + 2 * gamma_bound(3);
+    constexpr float room = 1 + 2 * gamma_bound(3); // each t, near and far, has three roundings
     return {t.near0, t.near1, t.near0 <= t.far0 * room, t.near1 <= t.far1 * room};
 }
 

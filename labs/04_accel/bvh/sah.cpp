@@ -16,11 +16,14 @@
 namespace raylab::lab04 {
 namespace {
 
-// Cuts through triangles are tried where the children's boxes would overlap by more than these
-// shares of the scene's box and of the node's, and as long as there are no more references than
-// this for each triangle. Where boxes overlap however the triangles are parted, most are tried in
-// vain: below so many in a row none is.
-constexpr double least_overlap = 1e-3, least_own_overlap = 0.2, most_references = 1.4;
+// A cut through triangles is tried where the halves of the best cut between triangles overlap: half
+// the surface of what both their boxes cover must be more than
+constexpr double least_overlap = 1e-3;    // times that of the scene's box,
+constexpr double least_own_overlap = 0.2; // and more than this times that of the node's box.
+// In all, cuts add references until there are so many for each triangle.
+constexpr double most_references = 1.4;
+// Some boxes overlap however the triangles are parted, as those of needles do. So no cut through is
+// tried below so many nodes, one right below the other, where it was tried and did not pay.
 constexpr int most_in_vain = 3;
 
 // What a node is built of.
@@ -28,7 +31,7 @@ struct Work {
     Items items;
     int depth;    // of the node
     double spare; // references that cuts through triangles may add
-    int in_vain;  // cuts through triangles that did not pay, one below the other, right above here
+    int in_vain;  // nodes right above here, in a row, where a cut through triangles did not pay
 };
 
 // A node cut in two. Cuts through triangles make new items, and keep them here.
@@ -58,7 +61,7 @@ struct Cutter {
         }
         int axis = split.axis;
         std::size_t middle = axis >= 0 ? cut_between(work.items, centres, split) : 0;
-        // No cut, or one that parts nothing and would be made again and again.
+        // There is no cut, or it leaves one side empty and would be made again and again.
         if (middle == 0 || middle == work.items.size())
             middle = cut_at_median(work.items, centres, axis);
         return halves_of(work, axis, work.items.subspan(0, middle), work.items.subspan(middle),
@@ -66,8 +69,8 @@ struct Cutter {
     }
 
   private:
-    // False if it would cost no less than the one between, part nothing, or make too many
-    // references; in_vain counts that.
+    // False if no cut through costs less than the one between, or if it leaves one side empty or
+    // makes too many references. in_vain counts the tries; a cut that is made sets it to 0.
     bool cut_through(const Work& work, const Split& between, Halves& halves, int& in_vain) const {
         Bounds box;
         for (const BuildItem& item : work.items) box.include(item.box);
@@ -100,7 +103,8 @@ struct Cutter {
         return half;
     }
 
-    // What may be added is shared out by size, so that no subtree depends on another.
+    // The references that may still be added are shared out by size, so that no subtree depends on
+    // another.
     static Halves halves_of(const Work& work, int axis, Items left, Items right, double spare,
                             int in_vain) {
         const double share = spare / double(left.size() + right.size());

@@ -6,7 +6,8 @@
 
 namespace raylab::lab04 {
 
-// Chains of nodes end here and halves begin, so that the wide tree above fits into its levels.
+// No leaf lies deeper. Where the heuristic might lead deeper, nodes are cut into halves of the same
+// number, so that the wide tree (wide/plan.h), three binary levels in one, fits into its levels.
 constexpr int max_sah_depth = 48;
 
 // A tree over the triangles that can be hit: one with a NaN or an infinity among its corners is

@@ -1,8 +1,7 @@
-// The binary tree in a line: depth first, and with each node the place to go on if the ray misses
-// it.
+// The binary tree in a line, depth first. Each node says where to go on if the ray misses it.
 //
-// A walk that always takes the first child first goes through the nodes in the order in which they
-// lie, except that it jumps over what is below a box that the ray misses. Smits, Efficiency Issues
+// A walk that always visits the first child first goes through the nodes in the order of the line.
+// It only jumps over the nodes below a box that the ray misses. Smits, Efficiency Issues
 // for Ray Tracing, Journal of Graphics Tools 3(2), 1998.
 #pragma once
 

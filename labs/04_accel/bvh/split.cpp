@@ -14,7 +14,9 @@ constexpr int bins = 32;
 
 struct Bin {
     Bounds box;
-    int starts = 0, ends = 0; // references; a cut between has them start and end in the same bin
+    // References that start in this slice, and that end in it. For a cut between triangles both are
+    // where the centre is.
+    int starts = 0, ends = 0;
 };
 using Bins = std::array<Bin, bins>;
 
@@ -61,7 +63,7 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
     box = {};
     count = 0;
     for (int plane = 1; plane < bins; ++plane) {
-        if (is_empty(bin[plane - 1].box)) continue; // as good as the plane before
+        if (is_empty(bin[plane - 1].box)) continue; // the same halves as at the plane before
         box.include(bin[plane - 1].box);
         count += bin[plane - 1].starts;
         if (count == 0 || right_count[plane] == 0) continue;
@@ -75,8 +77,9 @@ void choose_plane(const Bins& bin, int axis, Split& best) {
     //]
 }
 
-// Puts the part of the triangle that lies in `box` into the boxes of the bins, slice by slice. In
-// plain float: here it is weighed, and cut_through() cuts with care.
+// Puts the part of the triangle that lies in `box` into the boxes of the bins, slice by slice.
+// Plain float will do, because these boxes only tell which plane is best; cut_through() has
+// margins.
 void chop(const Triangle& triangle, const Bounds& box, int axis, const Slices& slice, Bins& bin) {
     const float low = box.low[axis], high = box.high[axis];
     const int last = slice(high);
@@ -101,9 +104,10 @@ void chop(const Triangle& triangle, const Bounds& box, int axis, const Slices& s
     }
 }
 
-// Less than any plane through the triangles costs, found without chopping them: on each side of it
-// lies at least the box of those that are whole there. Chopping is most of the work, and is spared
-// where even this is too much. 0 is right too, and slow.
+// A lower bound for the cost of all planes through the triangles. On each side of a plane lies at
+// least the box of the triangles that are wholly on that side, and no triangle is chopped to find
+// it. Chopping is most of the work, and is left out where even this bound is too much. A bound of 0
+// is right too, only slow.
 double least_cost([[maybe_unused]] std::span<const BuildItem> items, [[maybe_unused]] int axis,
                   [[maybe_unused]] const Slices& slice) {
     // Steps:

@@ -1,10 +1,11 @@
 // Without a stack and without a trail: where to go next follows from where the walk comes from.
 //
-// At each node the ray's direction along the axis on which the children lie apart says which one is
-// the near one (of a shadow ray: the far one, see leaf/query.h), always the same. From above, a
-// walk goes to the near child; back from the near child, to the far one; back from the far child,
-// up. The price: on the way back boxes are tested again. Hapala, Davidovic, Wald, Havran and
-// Slusallek, Efficient Stack-less BVH Traversal for Ray Tracing, SCCG 2011.
+// The sign of the ray's direction, along the axis on which the children lie apart, tells which
+// child is the near one. (Shadow rays visit the other one first, see leaf/query.h.) So the answer
+// is the same whenever the walk comes to the node. From above it goes to the near child, back from
+// the near child to the far one, back from the far child up. The price: on the way back it tests
+// boxes again. Hapala, Davidovic, Wald, Havran and Slusallek, Efficient Stack-less BVH Traversal
+// for Ray Tracing, SCCG 2011.
 #pragma once
 
 #include "common/task/not_implemented.h"

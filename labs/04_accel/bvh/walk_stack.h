@@ -1,7 +1,7 @@
-// The walk that everybody knows: the near child first, the far one on a stack.
+// The usual walk: the near child first, the far one on a stack. The others are measured against it.
 //
-// The others are measured against it. Its stack is 62 pairs of numbers a thread: on a GPU they lie
-// in local memory, which is global memory with another name.
+// Its stack has 62 pairs of numbers for each thread. On a GPU they lie in local memory, which is as
+// slow as global memory.
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"

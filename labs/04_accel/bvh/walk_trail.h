@@ -1,10 +1,11 @@
 // Without a stack: a bit a level, and parent pointers.
 //
-// The stack of the usual walk holds far children that wait. Where they hang is known, though:
-// beside the path from the root to here. So a bit a level is enough: does the other child of the
-// node on that level wait? To pop means to climb by parent pointers to the lowest such node. Afra
-// and Szirmay-Kalos, Stackless Multi-BVH Traversal for CPU, MIC and GPU Ray Tracing, CGF 33(1),
-// 2014; Laine, Restart Trail for Stackless BVH Traversal, HPG 2010.
+// The stack of the usual walk holds the far children that are still to be visited. Each of them is
+// a child of a node on the path from the root to the current node. So one bit for each level of
+// that path is enough: is the far child of this node still to be visited? Where the usual walk pops
+// its stack, this one climbs by parent pointers to the lowest node whose bit is set. Afra and
+// Szirmay-Kalos, Stackless Multi-BVH Traversal for CPU, MIC and GPU Ray Tracing, CGF 33(1), 2014;
+// Laine, Restart Trail for Stackless BVH Traversal, HPG 2010.
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"

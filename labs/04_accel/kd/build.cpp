@@ -17,7 +17,8 @@ namespace raylab::lab04 {
 
 namespace {
 
-// What intersect() never hits, whatever the ray: its plane has no normal, or no place.
+// False: intersect() never hits this triangle, since a corner is not finite or its plane has no
+// normal.
 bool can_be_hit(const Triangle& triangle) {
     for (const Vec3& v : triangle.v)
         if (!is_finite(v)) return false;
@@ -28,8 +29,8 @@ bool can_be_hit(const Triangle& triangle) {
 // What a cell is built of, apart from its triangles.
 struct Cell {
     Bounds box;
-    int depth;     // cuts that are left on this path
-    double copies; // references that the cell may still add
+    int depth;     // so many more cuts may lie one below the other
+    double copies; // references that cuts below here may add
 };
 
 struct Halves {
@@ -37,8 +38,8 @@ struct Halves {
     Cell half[2]; // below the plane, above it
 };
 
-// A cell, and where its references are: on the stack work_ from `begin` on, or, while the cell
-// below it is built, on the stack later_ from `waiting` on.
+// A cell, and where its references are: on top of the stack work_, from `begin` on. The references
+// of an upper half lie on the stack later_, from `waiting` on, while the lower half is built.
 struct Part {
     Cell cell;
     std::size_t begin;
@@ -52,8 +53,8 @@ struct Cut {
     Part half[2];
 };
 
-// Cuts cells and writes nodes for the driver (builder/driver.h). One for each piece of the tree: the
-// stacks are its own.
+// Cuts cells and writes nodes for the driver (builder/driver.h). One for each piece of the tree:
+// the stacks are its own.
 class KdBuilder {
   public:
     using Tree = KdTree;
@@ -126,8 +127,8 @@ class KdBuilder {
     }
 
   private:
-    // Cuts the cell where that costs least, if a leaf costs more and the limits allow it: what is
-    // below stays on work_, and what is above goes to later_.
+    // Cuts the cell where that costs least, if a leaf costs more and the limits allow it. The
+    // references below the plane stay on work_, those above it go to later_.
     // Steps:
     // 1. Find the best plane, unless one pack holds all or no cut is left on this path.
     // 2. Return nothing if a leaf costs no more, or if the cut adds more copies than are left.
@@ -154,7 +155,7 @@ class KdBuilder {
             {{low, cell.depth - 1, lower_copies}, {high, cell.depth - 1, left - lower_copies}}};
     }
 
-    // References that a cut makes two of.
+    // How many references the plane cuts in two.
     static int copies(std::span<const KdReference> references, const KdPlane& plane) {
         return int(std::count_if(references.begin(), references.end(), [&](const auto& reference) {
             return reference.box.low[plane.axis] < plane.at &&
@@ -194,7 +195,8 @@ class KdBuilder {
     const std::vector<Triangle>& triangles_;
     KdBuildSettings settings_;
     KdClip clip_;
-    std::vector<KdReference> work_, later_; // stacks: of this cell, of cells that wait
+    std::vector<KdReference> work_,
+        later_; // stacks: of the cell at hand, of upper halves that wait
 };
 
 } // namespace

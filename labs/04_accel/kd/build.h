@@ -16,8 +16,9 @@ struct KdBuildSettings {
 // At most 8 + 1.3 log2 n cuts above a leaf, and never more than kd_max_depth.
 int kd_depth_limit(std::size_t triangles);
 
-// Any triangles at all: those that no ray can hit, without area or with a NaN in them, are left
-// out; where no plane parts the others they share a leaf. The ropes are not laid yet (kd/ropes.h).
+// triangles: any. Those that no ray can hit, because they have no area or a NaN among their
+// corners, are left out. Those that no plane parts share a leaf. The ropes are laid afterwards
+// (kd/ropes.h).
 KdTree build_kd_tree(const std::vector<Triangle>& triangles, const KdBuildSettings& settings = {});
 
 } // namespace raylab::lab04

@@ -1,18 +1,20 @@
 // What the walks of a KD-tree share: where a ray meets a plane, and why no hit is lost to rounding.
 //
-// All walks compute a plane's t by the same three operations, in double, and compare those t alone.
-// So for them the planes that a ray meets have one order, and each walk comes to the same leaves.
+// All walks compute the t of a plane by the same three operations in double, and they compare only
+// such t. So all walks see the planes that a ray meets in one order, and visit the same leaves.
 //
-// A leaf holds every triangle that comes within a margin of its cell (builder/clip.h), at least 2^-40
-// of the scene's largest coordinate. Two things may put the place of a hit outside the cell that a
-// walk looks for it in. t has three roundings: 3 * 2^-53 |plane - o|, sideways. And the triangle
-// test takes a ray to pass an edge that it misses by 2^-49 of the corners' distance (edge_error()
-// in sheared_ray.h); by more, up to the ratio of its length to what the ray sees of it, if it lies
-// along the ray. So for origins within some scenes around, and triangles that are not seen edge-on
-// to the last digits of a float, no hit is lost.
+// Rounding may put the place of a hit outside the cell in which a walk looks for it:
+// - t has three roundings, so the place on the ray is off by up to 3 * 2^-53 of its distance;
+// - the triangle test counts a ray as inside if it passes an edge outside by up to 2^-49 of the
+//   corners' distance (edge_error() in sheared_ray.h), and by more if the edge lies almost along
+//   the ray: then by up to the ratio of the edge's length to the length that the ray sees of it.
+// Therefore a leaf holds every triangle that comes within a margin of its cell (builder/clip.h).
+// The margin is at least 2^-40 of the scene's largest coordinate. No hit is lost as long as the
+// origin is only some times the scene's size away, and the triangle is not seen edge-on to the last
+// digits of a float.
 //
-// A ray in a split plane may go either way: its t is 0 / 0, every comparison with it is false, and
-// the ray stays on the first side.
+// For a ray in a split plane t is 0 * infinity, a NaN. Every comparison with a NaN is false, so the
+// ray goes to the first child; the second child would be right too.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -41,8 +43,9 @@ struct KdRay {
     HD_HOT int second(const KdNode& node) const { return node.above() - is_down(node.axis()); }
 
   private:
-    // Selected, not indexed: an index would put the ray into a GPU's slow local memory, and makes a
-    // CPU wait for it where it could have guessed the axis.
+    // A choice of three, not v[axis]: for an index that is known at run time only, a GPU would put
+    // the vector into its slow local memory, and a CPU would wait for the axis where it can predict
+    // a branch.
     HD_HOT static double along(const DVec3& v, int axis) {
         return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
     }
@@ -53,7 +56,7 @@ struct KdInterval {
     double begin, end;
 };
 
-// Where the ray is inside the box, from its origin on; end < begin: nowhere.
+// The part of the ray inside the box, from the ray's origin on. end < begin: there is none.
 HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
     KdInterval part{0, infinity};
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,8 +69,9 @@ HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
     return part;
 }
 
-// Is all that begins at t too far away to matter? A hit's t is a float, rounded from its real place
-// by 2^-24 of it: a margin of eight times that leaves no hit that could still tie.
+// Can nothing that begins at t matter any more? reach is the t of a hit, which was rounded to float
+// and is off by up to 2^-24 of itself. The margin is eight times that, 2^-21, so that a hit with
+// the same rounded t and a lower id is still found.
 HD_HOT bool is_beyond(double t, float reach) { return reach < t * (1 - 0x1p-21); }
 
 // Calls query.visit() for the packs of a leaf. True: the walk may end.

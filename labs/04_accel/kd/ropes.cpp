@@ -1,8 +1,9 @@
 // Laying the ropes; see kd/ropes.h.
 //
-// On the way down from the root every node gets six ropes: at first its parent's, but that the two
-// children of a node are each other's neighbours. A neighbour may be much larger than the face, so
-// the rope is pushed down in it, as long as one child alone covers the face.
+// On the way down from the root every node gets six ropes. A child takes those of its parent, but
+// the rope of the face between the two children leads to the other child. The node that a rope
+// leads to may be much larger than the face. So the rope is pushed down, as long as one child alone
+// covers the whole face.
 #include "labs/04_accel/kd/ropes.h"
 
 #include "common/task/not_implemented.h"

@@ -1,5 +1,5 @@
-// Ropes: from every face of a leaf to what lies behind it, so that a walk needs neither a stack nor
-// the way back up. Popov et al. 2007, sections 3.2 and 4.1.
+// Ropes: from every face of a leaf a link to the node that lies behind the face. A walk that
+// follows them needs no stack and never climbs. Popov et al. 2007, sections 3.2 and 4.1.
 #pragma once
 
 #include "labs/04_accel/kd/tree.h"

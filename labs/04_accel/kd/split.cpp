@@ -28,6 +28,7 @@ class Search {
         axis_ = axis;
         const DVec3 d = DVec3(cell_.high) - DVec3(cell_.low);
         const double u = d[(axis + 1) % 3], v = d[(axis + 2) % 3];
+        // A part of the cell of length l along the axis has the area u v + (u + v) l.
         faces_ = u * v;
         around_ = u + v;
     }
@@ -59,9 +60,9 @@ class Search {
     Bounds cell_;
     int n_;
     KdCosts costs_;
-    double area_; // half the surface, as all areas here
+    double area_; // of the cell: half the surface, as all areas here
     int axis_ = 0;
-    double faces_ = 0, around_ = 0;
+    double faces_ = 0, around_ = 0; // u v and u + v, see across()
 };
 
 // The axis is a constant for the compiler, so v[axis] is a load and not a choice of three.

@@ -17,7 +17,8 @@
 
 namespace raylab::lab04 {
 
-// No leaf is deeper, whatever the triangles: so many entries are enough for a walk's stack.
+// No leaf lies deeper than this, whatever the triangles are. So a walk's stack needs no more
+// entries.
 constexpr int kd_max_depth = 60;
 
 // Eight bytes. The two children of a node lie side by side: below the plane, then above it.
@@ -51,8 +52,9 @@ static_assert(sizeof(KdNode) == 8);
 
 constexpr int no_rope = -1; // behind this face the scene ends
 
-// What only the walk along ropes reads. Face 2 axis is the lower one on that axis, 2 axis + 1 the
-// upper. Its rope leads to the smallest node whose cell covers the whole face from the other side.
+// What only the walk along ropes reads. Face 2 * axis is the cell's lower face across that axis,
+// face 2 * axis + 1 the upper one. The rope of a face leads to the smallest node whose cell covers
+// the whole face from the other side.
 struct KdLeaf {
     Bounds cell;
     int rope[6];

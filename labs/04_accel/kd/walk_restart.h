@@ -2,8 +2,9 @@
 // Foley and Sugerman, KD-Tree Acceleration Structures for a GPU Raytracer, 2005; the root moves
 // down as in Horn et al., Interactive k-D Tree GPU Raytracing, 2007 ("push-down").
 //
-// It always gets on: a leaf's end is the least t of the planes above which the ray was still in
-// front of, so it is greater than its begin, and the next way down takes that plane's other side.
+// Why it ends: on the way down a leaf's end becomes the least t of the planes that the ray has not
+// met yet. All of these are greater than the t at which the leaf begins. So each leaf makes the
+// rest of the ray shorter, and the next way down goes to the other side of that plane.
 #pragma once
 
 #include "common/task/not_implemented.h"
@@ -26,11 +27,11 @@ template <class Query> HD_HOT void walk_kd_restart(const KdView& tree, Query& qu
     KdInterval rest = inside(tree.bounds, ray);
     if (!(rest.begin <= rest.end)) return;
 
-    int root = 0; // of a subtree that the rest of the ray does not leave
+    int root = 0; // all the rest of the ray lies in the subtree below
     while (!is_beyond(rest.begin, query.reach())) {
         double end = rest.end;
         int at = root;
-        bool only = true; // so far the ray was in one child alone
+        bool only = true; // on this way down the rest was always in one child alone
         KdNode node;
         for (;;) {
             node = tree.nodes[at];

@@ -33,8 +33,8 @@ template <class Query> HD_HOT void walk_kd_ropes(const KdView& tree, Query& quer
             if (node.is_leaf()) break;
             at = ray.t_at(node) <= t ? ray.second(node) : ray.first(node);
         }
-        // Out through the first of the three faces that the ray moves towards. Before the packs
-        // are tested, so that the memory is on its way meanwhile.
+        // Out through the first of the three faces that the ray moves towards. The next node is
+        // found before the packs are tested, so that the loads from memory overlap.
         const KdLeaf& leaf = tree.leaves[tree.leaf_of[at]];
         t = infinity;
         at = no_rope;

@@ -1,4 +1,4 @@
-// The walk with a stack: into the nearer half, and the farther one is remembered.
+// The walk with a stack: it goes to the nearer child, and puts the farther one on the stack.
 #pragma once
 
 #include "labs/04_accel/kd/ray.h"
@@ -13,7 +13,7 @@ template <class Query> HD_HOT void walk_kd_stack(const KdView& tree, Query& quer
 
     struct Later {
         int node;
-        double end; // it begins where what came before it ends
+        double end; // t at which the ray leaves it; it enters where it leaves what comes before
     } later[kd_max_depth];
     int waiting = 0, at = 0;
     for (;;) {

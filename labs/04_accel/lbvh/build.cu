@@ -19,11 +19,11 @@ namespace {
 constexpr int block = 128;
 constexpr int bounds_chunk = 1024;
 
-// Behind all codes: of triangles that are left out.
+// Greater than all codes, so triangles that are left out come last.
 constexpr std::uint32_t no_code = 1u << 3 * morton_bits;
 
 __device__ bool is_finite(const Triangle& triangle) {
-    float sum = 0; // of what is 0, or NaN
+    float sum = 0; // 0 * x is a NaN unless x is finite
     for (const Vec3& v : triangle.v) sum += 0 * v.x + 0 * v.y + 0 * v.z;
     return sum == 0;
 }
@@ -64,8 +64,9 @@ __device__ int split_axis(Array<std::uint32_t> codes, const KarrasNode& node) {
 
 __device__ bool is_large(int first, int last) { return last - first >= triangles_per_pack; }
 
-// A thread an inner node over single triangles. Those over more than a pack are kept: kept[i] = 1.
-// What hangs in them and is no larger is a leaf; starts[i] = 1 where one begins. Both 0 before.
+// One thread for each inner node of the tree over single triangles. Nodes over more triangles than
+// a pack holds are kept: kept[i] = 1. A child of such a node that is no larger than a pack is a
+// leaf: starts[i] = 1 where it begins. Both arrays are 0 before.
 __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std::uint32_t* starts) {
     const std::int64_t thread = global_index();
     if (thread >= codes.size - 1) return;
@@ -89,7 +90,8 @@ __global__ void cut_kernel(Array<std::uint32_t> codes, std::uint32_t* kept, std:
     //]
 }
 
-// For each node that is kept, at its new number: children, and itself as their parent.
+// Writes each node that is kept to the place of its new number: its children, and to each child the
+// node as its parent.
 __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t* kept,
                                  const std::uint32_t* node_numbers,
                                  const std::uint32_t* leaf_numbers, BvhNode* nodes,
@@ -125,7 +127,8 @@ __global__ void hierarchy_kernel(Array<std::uint32_t> codes, const std::uint32_t
     if (i == 0) nodes[0].parent = -1;
 }
 
-// A leaf is a range of at most eight triangles. starts[i]: one begins at i, numbers[i]: which one.
+// Fills the packs. A leaf is a range of at most eight triangles. starts[i]: a leaf begins at i, and
+// numbers[i] is its number.
 __global__ void leaves_kernel(Array<Triangle> triangles, const std::uint32_t* codes,
                               const int* indices, const std::uint32_t* starts,
                               const std::uint32_t* numbers, TrianglePack* packs) {
@@ -169,8 +172,9 @@ __device__ Bounds box_in(const BvhNode& node) {
     return box;
 }
 
-// A thread a leaf, from there up. At a node two threads arrive, from either side: the first one
-// ends there, the second one knows that both boxes are written. arrived: 0 for each node.
+// One thread for each leaf, which goes up from there. At each node two threads arrive, one from
+// each child. The first one ends there. The second one knows that both boxes are written, and goes
+// on. arrived: 0 for each node before.
 __global__ void refit_kernel(const TrianglePack* packs, int leaves, const int* leaf_parents,
                              BvhNode* nodes, int* arrived) {
     const std::int64_t leaf = global_index();
@@ -217,7 +221,7 @@ Bounds bounds_of_centres(Array<Triangle> triangles) {
     return all;
 }
 
-// The places of those that are flagged among all that are, and how many there are.
+// Numbers what is flagged: number[i] flags are set before i, and count in all.
 struct Numbers {
     explicit Numbers(const DeviceArray<std::uint32_t>& flags) : number(flags.size()) {
         const std::int64_t n = static_cast<std::int64_t>(flags.size());

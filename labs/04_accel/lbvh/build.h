@@ -1,7 +1,7 @@
 // Boxes along the Morton curve, built on the device.
 //
-// Not the best tree, but the fastest one to build: sorting and three kernels, in which all nodes
-// are built at the same time. For scenes that move, where a tree lives for one frame.
+// Not the best tree, but the fastest one to build: by sorting, and by three kernels that build all
+// nodes at the same time. It is for scenes that move and need a new tree for each frame.
 #pragma once
 
 #include "common/device/device_array.h"

@@ -1,4 +1,4 @@
-// Boxes along the Morton curve for those who have no device code of their own.
+// Boxes along the Morton curve, for files without device code.
 #pragma once
 
 #include "common/geometry/shapes.h"

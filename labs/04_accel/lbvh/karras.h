@@ -1,9 +1,9 @@
 // A tree over sorted codes, every node found by a thread of its own.
 //
-// n sorted leaves have n - 1 inner nodes. Number the nodes so that node i covers a range of leaves
-// that begins or ends at leaf i: which of the two, and how far the range goes, the codes around
-// leaf i tell, and nothing else has to be known. So all levels are built at once, where a recursion
-// would have to wait for the level above. Karras, Maximizing Parallelism in the Construction of
+// n sorted leaves have n - 1 inner nodes. Number these so that node i covers a range of leaves that
+// begins or ends at leaf i. Whether it begins or ends there, and how far it goes, follows from the
+// codes around leaf i alone. So all levels are built at once, while a recursion would have to wait
+// for the level above. Karras, Maximizing Parallelism in the Construction of
 // BVHs, Octrees, and k-d Trees, HPG 2012, section 4.
 #pragma once
 

@@ -1,11 +1,12 @@
-// A pass a digit, each in three steps, as lab 03's split by one bit, but by eight at a time:
+// One pass for each digit of eight bits. As in lab 03's split by one bit, a pass has three steps:
 //     count    how often each digit occurs in each chunk of the numbers,
 //     scan     hence where the first number of a chunk with this digit belongs,
 //     scatter  each number to its place.
-// A thread walks through a chunk in its order, so equal digits keep theirs, and no two threads
-// write to the same counter. The table lies digit by digit, so that one scan over all of it counts
-// the numbers with smaller digits, and those with the same digit in chunks before. Satish, Harris
-// and Garland, Designing Efficient Sorting Algorithms for Manycore GPUs, IPDPS 2009.
+// One thread goes through a chunk from front to end. So numbers with the same digit keep their
+// order, and no two threads write to the same counter. The table lies digit by digit. So one scan
+// over all of it counts the numbers with smaller digits and those with the same digit in the chunks
+// before. Satish, Harris and Garland, Designing Efficient Sorting Algorithms for Manycore GPUs,
+// IPDPS 2009.
 #include "labs/04_accel/lbvh/radix_sort.h"
 
 #include "common/device/launch.h"

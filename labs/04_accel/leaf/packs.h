@@ -1,4 +1,4 @@
-// Filling the packs of a leaf.
+// Packs for the triangles of a leaf.
 #pragma once
 
 #include "common/geometry/shapes.h"

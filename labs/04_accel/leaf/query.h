@@ -1,7 +1,8 @@
-// What a walk is for: the closest hit, or any. A walk brings a query the leaves that the ray comes
-// to; the query tests what is in them, here triangles, and says how far the walk still has to look.
+// What a walk looks for: the closest hit, or any hit. The walk calls the query with each leaf that
+// the ray comes to. The query tests what is in the leaf, here triangles, and says how far the walk
+// still has to look.
 //
-// Walks are templates over the query, so there is one of each kind, not two.
+// Walks are templates over the query. So each walk is written once, for both.
 #pragma once
 
 #include "common/geometry/bounds.h"
@@ -26,7 +27,7 @@ struct WalkCounts {
     std::uint32_t packs = 0;
 };
 
-// No walk visits this many nodes. A student's endless one ends here, with a message.
+// No sound walk visits so many nodes. A walk without an end is stopped here, with a message.
 constexpr std::uint32_t most_steps = 1u << 22;
 
 // What every query has, whatever is in the leaves.
@@ -58,7 +59,7 @@ class TriangleQuery : public Query {
 
     HD int packs() const { return leaves_.packs.size; } // all there are
 
-    // A pack that may be visited soon.
+    // Loads a pack that may be visited soon.
     HD_HOT void ask_for(int pack) const { fetch_ahead(leaves_.packs.data + pack); }
 
   protected:
@@ -76,7 +77,7 @@ class TriangleQuery : public Query {
     HD int index_of(int pack, int lane) const { return leaves_.packs[pack].index[lane]; }
     HD int id_of(int index) const { return leaves_.triangles[index].tags.id; }
 
-    // Of the lane's triangle the glance knows already that it is hit.
+    // Does the glance alone prove that the lane's triangle is hit?
     HD_HOT bool is_hit(const TriangleGlance& seen, int lane) const {
         return seen.sure >> lane & 1 && seen.begin[lane] > 0 && seen.end[lane] < ray().t_max;
     }
@@ -89,8 +90,9 @@ class TriangleQuery : public Query {
 // The closest hit in (0, ray.t_max); of two at the same t that with the lowest id, so that no
 // structure, and no order of a walk, changes an image.
 //
-// Most rays pass inside of the triangle that they hit, and nothing else comes near that t. The
-// glance's interval decides then, and t is computed once, when the walk is over.
+// Most rays pass well inside the triangle that they hit, and hit nothing else at almost the same t.
+// Then the glance's intervals of t lie apart and tell which triangle is the closest. The exact t is
+// computed once, when the walk is over.
 class ClosestHit : public TriangleQuery {
   public:
     HD_HOT ClosestHit(const Leaves& leaves, const Ray& ray)
@@ -99,8 +101,8 @@ class ClosestHit : public TriangleQuery {
     // A box that was crossed once may lie out of reach later.
     static constexpr bool reach_shrinks = true;
 
-    // Of two children that lie apart along this axis, which one first: the lower one, 0, or 1?
-    // The nearer one: what is hit early shortens the ray.
+    // Of two children that lie apart along this axis, which one does the walk visit first: 0, the
+    // lower one, or 1? Here it is the nearer one, as an early hit shortens the ray.
     HD int first(int axis) const { return slab.negative[axis]; }
 
     // Call it when the walk is over.
@@ -109,8 +111,8 @@ class ClosestHit : public TriangleQuery {
         return hit_;
     }
 
-    // Nothing beyond this t matters. At it, a lower id does: walks skip a box only if it begins
-    // behind it.
+    // Nothing beyond this t matters. A triangle at this very t wins if its id is lower, so walks
+    // skip a box only if it begins beyond.
     HD float reach() const { return reach_; }
 
     // Tests a pack of triangles. True: the walk may end.
@@ -132,7 +134,7 @@ class ClosestHit : public TriangleQuery {
     }
 
   private:
-    // The exact t of the hit that a glance has found.
+    // Computes the exact t of the hit that a glance has found.
     HD void settle() {
         if (lane_ < 0) return;
         float t;
@@ -148,9 +150,9 @@ class ClosestHit : public TriangleQuery {
         begin_ = reach_ = glm::min(hit_.t, ray().t_max);
     }
 
-    Hit hit_;                        // exact; lane_ >= 0: something closer has been found
-    int pack_, lane_ = -1;           // by a glance, there,
-    float begin_ = infinity, reach_; // within this interval
+    Hit hit_;              // the closest exact hit; while lane_ >= 0 there is a closer one:
+    int pack_, lane_ = -1; // a glance has found it, in this lane of this pack
+    float begin_ = infinity, reach_; // t of the closest hit lies between these
 };
 
 // Whether anything is in (0, ray.t_max): the first hit found ends the walk.
@@ -160,8 +162,8 @@ class AnyHit : public TriangleQuery {
 
     static constexpr bool reach_shrinks = false;
 
-    // The farther one: what is near is mostly the surface that the ray leaves, and the small things
-    // upon it; what it ends at, a wall perhaps, is behind them.
+    // Here it is the farther one. Near its origin a shadow ray mostly crosses boxes of the surface
+    // that it leaves and misses what is in them. What blocks it, a wall perhaps, lies farther away.
     HD int first(int axis) const { return !slab.negative[axis]; }
 
     HD bool found() const { return found_; }

@@ -1,9 +1,9 @@
 // Up to eight triangles side by side: what a leaf holds, and a first glance at all of them at once.
 //
-// Whether a ray meets a triangle is decided in double (common/geometry/triangle.h), and that
-// decision is the image. Most triangles of a leaf are missed so clearly that float shows it, and a
-// compiler does the same few operations for eight of them in one instruction. So the glance drops
-// those that the ray misses for certain, and hands on the rest.
+// Whether a ray meets a triangle is decided in double (common/geometry/triangle.h); the image
+// depends on that alone. But most triangles of a leaf are missed so clearly that float is enough to
+// tell, and a compiler does the few operations for eight triangles with one instruction each. So
+// the glance drops the triangles that the ray misses for certain, and hands on the rest.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -13,7 +13,7 @@
 
 namespace raylab::lab04 {
 
-// Eight cost a processor no more than four, and a tree with larger leaves has half the nodes.
+// Eight cost a processor no more than four, and with leaves of eight a tree has half the nodes.
 constexpr int triangles_per_pack = 8;
 
 // Packs that so many triangles fill; the last may have empty lanes.
@@ -39,7 +39,8 @@ struct GlanceRay {
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        // Selected, not indexed: an index would put the ray into a GPU's slow local memory.
+        // A choice of three, not v[k]: for an index that is known at run time only, a GPU would put
+        // the ray into its slow local memory.
         const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
         ox = along(ray.o, kx), oy = along(ray.o, ky), oz = along(ray.o, kz);
         inv_dz = along(inv_d, kz);
@@ -57,16 +58,9 @@ struct TriangleGlance {
 
 // Where may `ray` meet the triangles of the pack in (0, t_max]?
 //
-// With size = |x| + |y| + |z| of a corner in ray space, x and y are off by less than 5 u size (the
-// subtractions, the slope with its two roundings, its product), an edge function e of two corners
-// by less than 13 u width size, where width = |x| + |y|: margin = 16 u width size bounds that, and
-// what double leaves open besides. (`errors`: fewer are for the test that shows they are too few.)
-// On the triangle the depth
-//     z = (e_bc a.z + e_ca b.z + e_ab c.z) / (e_bc + e_ca + e_ab)
-// lies between those of the corners; inside, where the edge functions have the same sign, it is
-// off by less than 3 margin (max z - min z) / |e_bc + e_ca + e_ab| + 8 u max |z|. A comparison that
-// a NaN makes false leaves the triangle in, and the interval of a triangle that is not surely
-// passed inside is that of its corners.
+// All of it is float, with a bound on each error; u is the unit roundoff, 2^-24. A comparison with
+// a NaN is false, and each one below is such that false keeps the triangle. errors: fewer than 16
+// are for the test that shows that fewer are too few.
 HD_HOT TriangleGlance glance(const TrianglePack& pack, const GlanceRay& ray, float t_max,
                              float errors = 16) {
     const auto larger = [](float x, float y) { return x > y ? x : y; };
@@ -79,6 +73,8 @@ HD_HOT TriangleGlance glance(const TrianglePack& pack, const GlanceRay& ray, flo
     for (int k = 0; k < triangles_per_pack; ++k) {
         const float az = a[ray.kz][k] - ray.oz, bz = b[ray.kz][k] - ray.oz,
                     cz = c[ray.kz][k] - ray.oz;
+        // The corners in ray space, where the ray is the z axis. x and y are off by less than
+        // 5 u (|x| + |y| + |z|): two subtractions, a slope with two roundings, and its product.
         const float ax = a[ray.kx][k] - ray.ox - ray.sx * az,
                     ay = a[ray.ky][k] - ray.oy - ray.sy * az,
                     bx = b[ray.kx][k] - ray.ox - ray.sx * bz,
@@ -88,6 +84,8 @@ HD_HOT TriangleGlance glance(const TrianglePack& pack, const GlanceRay& ray, flo
         const float width =
             larger(larger(fabsf(ax) + fabsf(ay), fabsf(bx) + fabsf(by)), fabsf(cx) + fabsf(cy));
         const float depth = larger(larger(fabsf(az), fabsf(bz)), fabsf(cz));
+        // The edge functions ab, bc and ca are off by less than 13 u width (width + depth). 16
+        // bounds that and also the rays for which double leaves it open on which side they pass.
         const float margin = errors * u * width * (width + depth) + underflow;
 
         const float ab = ax * by - ay * bx, bc = bx * cy - by * cx, ca = cx * ay - cy * ax;
@@ -96,9 +94,14 @@ HD_HOT TriangleGlance glance(const TrianglePack& pack, const GlanceRay& ray, flo
         const bool inside = (larger(least, -most) > margin) & (fabsf(area) > 0x1p-100f);
 
         const float first = smaller(smaller(az, bz), cz), last = larger(larger(az, bz), cz);
+        // The depth at which the ray meets the triangle's plane,
+        //     z = (bc az + ca bz + ab cz) / (bc + ca + ab).
+        // Inside, where all edge functions have the same sign, it is off by less than
+        //     3 margin (last - first) / |area| + 8 u depth.
         const float z = bc * inv_area * az + ca * inv_area * bz + ab * inv_area * cz;
         // In this order no product underflows before it is divided.
         const float z_error = 4 * margin * fabsf(inv_area) * (last - first) + 12 * u * depth;
+        // Near an edge, the ray may meet the triangle at any depth between those of the corners.
         const float from = inside ? z - z_error : first - 2 * u * depth;
         const float to = inside ? z + z_error : last + 2 * u * depth;
         // Along a negative axis the far end of the depths comes first.

@@ -1,8 +1,8 @@
-// What the walk through the tree over spheres and quads asks: leaf/query.h once more, with groups
-// of sixteen shapes in the leaves.
+// The queries of the walk through the tree over spheres and quads. They are as those in
+// leaf/query.h, but a leaf is a group of sixteen shapes.
 //
-// It comes after the triangles' walk and begins with what that has found. Of two hits at the same t
-// the lower id wins, so it does not matter which came first.
+// This walk comes after the triangles' walk and begins with the hit that was found there. Of two
+// hits at the same t the lower id wins, so it does not matter which walk comes first.
 #pragma once
 
 #include "common/trace/intersect.h"

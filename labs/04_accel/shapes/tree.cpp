@@ -1,5 +1,5 @@
-// Halves of halves: the loader's order is a tree already (common/scene/halving.h), and lacks but
-// its boxes.
+// The loader has sorted the groups by halves of halves (common/scene/halving.h). This order is a
+// tree already, and only its boxes are computed here.
 #include "labs/04_accel/shapes/tree.h"
 
 #include "common/scene/shape_boxes.h"

@@ -15,7 +15,7 @@ struct ShapeTreeView {
     Array<QuadGroup> quad_groups;
 };
 
-// So few groups a ray looks at one after the other faster than it finds its way down a tree.
+// Up to so many groups, a ray tests all of them faster than it goes down a tree.
 constexpr int few_groups = 8;
 
 // Over all groups of spheres and quads; no node if there are few_groups or less.

@@ -1,4 +1,4 @@
-// Writing a plan (wide/plan.h) down in nodes: grids, faces, orders.
+// From a plan (wide/plan.h) to nodes with their grids, faces and orders.
 #include "labs/04_accel/wide/plan.h"
 #include "labs/04_accel/wide/tree.h"
 
@@ -8,7 +8,8 @@
 namespace raylab::lab04 {
 namespace {
 
-// One step for all axes: a box is long on one of them, and there a step is a thousandth of it.
+// All axes have the same step. The box is longest on one axis, and there a step is about a
+// thousandth of it.
 void set_grid(WideNode& node, const Bounds& box) {
     node.origin = box.low;
     double extent = 0;
@@ -45,7 +46,8 @@ class Writer {
     }
 
   private:
-    // The slots, which are the children in the order of octant 0, in the order of another octant.
+    // Slots are numbered in the order of octant 0. Returns their numbers in the order of this
+    // octant.
     std::uint32_t order_of(int binary, WidePlan::Choice choice, int octant,
                            const std::vector<WideChild>& slots) const {
         std::uint32_t order = 0;

@@ -45,7 +45,7 @@ WidePlan::Forest WidePlan::plan(int node) const {
     Bounds box = left.box;
     box.include(right.box);
     plan.cost[0] = half_area(box) * node_cost + shared[wide_children];
-    for (int n = 2; n < wide_children; ++n) // at most n: fewer will do where they cost less
+    for (int n = 2; n < wide_children; ++n) // cost of at most n, so fewer where they cost less
         plan.cost[n - 1] = std::min(shared[n], plan.cost[n - 2]);
     return plan;
 }
@@ -56,7 +56,7 @@ void WidePlan::gather(const WideChild& c, int places, Choice choice, int octant,
     if (!is_leaf(c.child)) {
         const auto& cost = forest_[c.child].cost;
         while (choice == Choice::planned && places > 1 && cost[places - 2] <= cost[places - 1])
-            --places; // fewer will do
+            --places; // fewer cost no more
         if (places > 1) return gather_both(c.child, places, choice, octant, found);
     }
     found.push_back(c);

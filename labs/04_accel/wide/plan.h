@@ -1,5 +1,6 @@
 // Which descendants of a binary node become the children of a wide one? Those for which a ray pays
-// least, found from the leaves up by dynamic programming. Ylitie, Karras and Laine 2017, section 3.
+// least. Dynamic programming finds them, from the leaves up. Ylitie, Karras and Laine 2017,
+// section 3.
 #pragma once
 
 #include "labs/04_accel/bvh/sah.h"
@@ -19,8 +20,8 @@ class WidePlan {
     // tree: deep as build_bvh_sah() makes it at most; each node behind its parent.
     explicit WidePlan(const BvhTree& tree);
 
-    // How children are chosen: by the plan, or, where a chain of nodes might need more levels than
-    // there are, evenly: three binary levels are one wide one.
+    // How children are chosen: by the plan; or evenly, so that three binary levels are one wide
+    // level, where a chain of nodes might need more levels than there are.
     enum class Choice { planned, even };
 
     // For the wide node that stands for this binary node in this level.
@@ -31,8 +32,8 @@ class WidePlan {
     std::vector<WideChild> children(int node, Choice choice, int octant) const;
 
   private:
-    // What a binary subtree costs at best if it hangs in its parent as at most i + 1 children: a
-    // node (i = 0), or a forest of several.
+    // The least cost[i] of a binary subtree that becomes at most i + 1 children of the wide node
+    // above it: one node (i = 0), or a forest of several.
     struct Forest {
         std::array<double, wide_children - 1> cost;
         std::array<std::uint8_t, wide_children> from_left; // of i + 1 children, i = 7: of a node

@@ -1,4 +1,4 @@
-// The wide walk with a stack: what the trail is measured against.
+// The wide walk with a stack. The one with a trail is measured against it.
 #pragma once
 
 #include "labs/04_accel/leaf/fetch_ahead.h"

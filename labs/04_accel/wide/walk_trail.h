@@ -1,8 +1,9 @@
 // Without a stack: a trail of eight bits a level, and parent pointers.
 //
-// A bit says that a child was crossed and is still to be visited. Sixteen levels are two machine
-// words, shifted down a level's bits when the walk descends and back when it climbs: that is all
-// the walk remembers, in registers.
+// A bit says that the box of a child is crossed and that the child is still to be visited. The bits
+// of sixteen levels are two machine words, which are shifted by eight bits when the walk goes down
+// a level, and back when it climbs. The walk remembers no more than these, and keeps them in
+// registers.
 #pragma once
 
 #include "labs/04_accel/leaf/fetch_ahead.h"
@@ -35,7 +36,7 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
     Trail trail;
     const WideNode* node = &bvh.nodes[0];
     std::uint32_t left = wide_slots(*node); // slots of this node, still to be visited
-    bool fresh = true;                      // the walk has come from above
+    bool fresh = true;                      // the walk comes from above: boxes are not tested yet
     while (true) {
         if (fresh || (Query::reach_shrinks && query.reach() < whole)) {
             if (!query.step()) return;
@@ -50,8 +51,8 @@ template <class Query> HD void walk_wide_trail(const WideView& bvh, Query& query
             } else {
                 trail.push(left);
                 node = &bvh.nodes[child_in(*node, slot)];
-                fetch_ahead(bvh.nodes.data +
-                            node->first_child); // before it is known which it will be
+                // Before it is known which child comes next.
+                fetch_ahead(bvh.nodes.data + node->first_child);
                 query.ask_for(node->first_pack);
                 left = wide_slots(*node);
                 fresh = true;

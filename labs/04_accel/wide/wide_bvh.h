@@ -1,11 +1,11 @@
 // Eight boxes a node, ten bits for each of their faces.
 //
 // A ray that visits a binary tree waits at every node: for the node's memory, then for the branch
-// that depends on it. With eight children a node it waits a third as often, and the eight boxes fit
-// into one vector register a face. Their faces are numbers of steps on a grid over the node, steps
-// that are powers of two, so that a node takes 128 bytes where plain floats took 256.
-// Ylitie, Karras and Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
-// BVHs, HPG 2017.
+// that depends on it. With eight children a node it waits a third as often. The low x faces of all
+// eight boxes fit into one vector register, and so do those of the other five sides. A face is
+// stored as a number of steps on a grid over the node. The step is a power of two. So a node takes
+// 128 bytes, where plain floats would take 256. Ylitie, Karras and Laine, Efficient Incoherent Ray
+// Traversal on GPUs Through Compressed Wide BVHs, HPG 2017.
 #pragma once
 
 #include "labs/04_accel/bvh/bvh.h"
@@ -53,8 +53,8 @@ struct WideView {
     Vec3 extent;           // the largest |coordinate| on each axis
 };
 
-// A node in level k + 1 is a child of one in level k; the root is in level 0. Deep enough for any
-// tree (wide/build.cpp), and eight bits for each level are two machine words.
+// The root is in level 0, its children in level 1 and so on. So many levels are enough for any tree
+// (WidePlan::choose), and eight bits for each level are two machine words.
 constexpr int max_wide_levels = 16;
 
 HD int count_bits(std::uint32_t bits) {
@@ -67,7 +67,7 @@ HD int count_bits(std::uint32_t bits) {
 
 HD std::uint32_t wide_slots(const WideNode& node) { return node.inner | node.leaf; }
 
-// The node or pack in a slot: those before it are counted.
+// The node or pack in a slot: the first one of this node, plus how many are in the slots before.
 HD_HOT int child_in(const WideNode& node, int slot) {
     return node.first_child + count_bits(node.inner & ((1u << slot) - 1));
 }
@@ -75,22 +75,21 @@ HD_HOT int pack_in(const WideNode& node, int slot) {
     return node.first_pack + count_bits(node.leaf & ((1u << slot) - 1));
 }
 
-// The octant of directions in whose order a query wants to come to its boxes.
+// The octant of directions in whose order a query wants to visit boxes.
 template <class Query> HD_HOT int octant_of(const Query& query) {
     return query.first(0) | query.first(1) << 1 | query.first(2) << 2;
 }
 
 // A ray prepared for the boxes of nodes.
 //
-// A face at p lies at t = (p - o) / d. The walk computes q (step / d) + (origin / d - o / d), in
-// which no number is larger than size / |d|, size = |o| + extent, and each of the seven roundings
-// is less than u of that. So near faces are moved by 8 u size / |d| towards the ray, far ones away.
+// A face at p = origin + q step lies at t = (p - o) / d. The walk computes it as
+//     q (step / d) + (origin / d - o / d).
 struct WideRay {
     Vec3 inv_d;
     Vec3 near_shift, far_shift; // o / d, and the room for rounding
     bool negative[3];
     Vec3 o;
-    bool parallel[3]; // d = 0: the ray is between the two faces all the time, or never
+    bool parallel[3]; // d = 0: the ray is always between the two faces, or never
     bool any_parallel;
 
     HD_HOT WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : inv_d(inverse), o(ray.o) {
@@ -100,11 +99,15 @@ struct WideRay {
             const float d = ray.d[axis];
             parallel[axis] = d == 0;
             any_parallel |= parallel[axis];
-            // So slow on this axis that it does not bound t: the products below stay finite.
+            // The ray is so slow on this axis that the axis is not used to bound t. Else the
+            // products below might not be finite.
             const bool unbounded = fabsf(d) < 0x1p-40f;
             float& inv = inv_d[axis];
             if (unbounded) inv = 0;
             negative[axis] = inv < 0;
+            // No number in t is larger than size / |d|, and each of its seven roundings is less
+            // than u of that. So near faces are moved towards the ray's origin by this, far ones
+            // away.
             const float room = 8 * unit_roundoff * size[axis] * fabsf(inv);
             near_shift[axis] = ray.o[axis] * inv + room;
             far_shift[axis] = unbounded ? -infinity : ray.o[axis] * inv - room;
@@ -112,7 +115,7 @@ struct WideRay {
     }
 };
 
-// Of the slots, those whose box contains the ray on the axes along which it does not move.
+// The slots between whose faces the ray is, on all axes along which it does not move.
 HD std::uint32_t between_faces(const WideNode& node, const WideRay& ray) {
     std::uint32_t slots = 0xff;
     for (int axis = 0; axis < 3; ++axis) {
@@ -126,8 +129,9 @@ HD std::uint32_t between_faces(const WideNode& node, const WideRay& ray) {
     return slots;
 }
 
-// The first of the slots in this order; slots != 0. Branches, no arithmetic: a processor goes on
-// with the slot it expects, and need not wait for the test of the boxes.
+// The first of the slots in this order; slots != 0. By branches instead of arithmetic: a processor
+// predicts them and goes on with the slot that it expects, before the test of the boxes is
+// finished.
 HD_HOT int first_in_order(std::uint32_t slots, std::uint32_t order) {
     for (int k = 1; k < wide_children; ++k, order >>= 3)
         if (slots >> (order & 7) & 1) break;
@@ -136,9 +140,10 @@ HD_HOT int first_in_order(std::uint32_t slots, std::uint32_t order) {
 
 // A bit for each slot whose box the ray crosses within [0, t_max]: maybe too many, never too few.
 //
-// The larger of two floats is found among their bits, read as integers: not negative, they are in
-// the same order; and what is negative stays below 0, as which it counts. That is one instruction
-// of a cycle, where the larger of floats, one of which may be a NaN, takes two of four.
+// Floats are compared by their bits, read as integers. Those that are not negative are in the same
+// order as their bits. The bits of a negative float are a negative integer, and it counts as 0
+// here. The larger of two integers takes one instruction of one cycle; the larger of two floats, of
+// which one may be a NaN, takes two instructions of four cycles.
 HD_HOT std::uint32_t crossed(const WideNode& node, const WideRay& ray, float t_max) {
     const Vec3 a = node.step * ray.inv_d;
     const Vec3 b_near = node.origin * ray.inv_d - ray.near_shift;
