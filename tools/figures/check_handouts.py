@@ -22,7 +22,7 @@ def squeezed(line):
 
 def solution_lines(lab):
     """Lines between //[ task and //| in the lab's sources."""
-    for source in (f for f in lab.iterdir() if f.suffix in (".h", ".cpp", ".cu")):
+    for source in (f for f in lab.rglob("*") if f.suffix in (".h", ".cpp", ".cu")):
         inside = False
         for line in source.read_text().splitlines():
             mark = line.strip()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes every figure of the handouts of labs 01, 02 and 04 again, from renders of raylab.
+"""Makes every figure of the handouts again: from renders of raylab, or drawn.
 
     python3 tools/figures/figures.py                       # all, with build/cpu/app/raylab
     python3 tools/figures/figures.py --only lanes error    # some of them
@@ -8,6 +8,7 @@
 Needs the program (`./raylab render 01 cornell` builds it) and Pillow (`pip install pillow`), which
 reduces pictures to 256 colours: noise does not compress, and a handout should load at once.
 The pictures of mistakes are renders of wrong programs, built one after the other in build/figures.
+Drawings need neither: wavefront_drawings.py, kd_drawings.py and box_drawings.py compute what they show.
 Every function below is one figure: its scene, samples and seed stand in the caption too.
 """
 import argparse
@@ -22,11 +23,15 @@ import tempfile
 
 from PIL import Image
 
+import box_drawings
+import kd_drawings
+import wavefront_drawings
 from plot import COLOURS, INK, Plot, save_beside
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LAB01, LAB02, LAB04 = (ROOT / "labs" / lab / "figures"
-                       for lab in ("01_recursive", "02_iterative", "04_accel"))
+LAB01, LAB02, LAB03, LAB04 = FOLDERS = [
+    ROOT / "labs" / lab / "figures"
+    for lab in ("01_recursive", "02_iterative", "03_wavefront", "04_accel")]
 
 
 class Raylab:
@@ -48,9 +53,9 @@ class Raylab:
         stem, ending = name.split(".")
         return self.scratch / f"{stem}_{iterations:04}.{ending}"
 
-    def ledger(self, scene, *options):
+    def ledger(self, scene, *options, lab="02"):
         stats = self.scratch / "stats.json"
-        self.render("02", scene, "ledger.pfm", "--stats", stats, *options)
+        self.render(lab, scene, "ledger.pfm", "--stats", stats, *options)
         return json.loads(stats.read_text())
 
 
@@ -141,31 +146,73 @@ def fresnel(_):
     plot.save(LAB01 / "fresnel.svg")
 
 
-# Wrong programs, for the handouts' "how they look": file, what is right in it, what is put there.
+# Wrong programs, for the handouts' "how they look": file, what is right in it, what is put there,
+# and the scene and options that show it.
+BOX = ("cornell", "--spp", 16, *square(160))
+HALL = ("stadium", "--spp", 4, *square(160))
 MISTAKES = {
-    "acne": ("direct_light.h", "spawn_ray_to(surface, sample.p, sample.error, sample.n)",
-             "Ray{surface.p, sample.wi, sample.distance}"),
-    "first_hit": ("intersect.h", "if (hit.is_beaten_by(t, id))", "if (!hit.found())"),
-    "twice": ("path.cpp", "scattered.specular ? delta_pdf : scattered.pdf", "delta_pdf"),
-    "cosine": ("cosine.h", "return {wi, albedo, wi.z", "return {wi, albedo * wi.z, wi.z"),
+    LAB01: {
+        "acne": ("direct_light.h", "spawn_ray_to(surface, sample.p, sample.error, sample.n)",
+                 "Ray{surface.p, sample.wi, sample.distance}", BOX),
+        "first_hit": ("intersect.h", "if (hit.is_beaten_by(t, id))", "if (!hit.found())", BOX),
+        "twice": ("path.cpp", "scattered.specular ? delta_pdf : scattered.pdf", "delta_pdf", BOX),
+        "cosine": ("cosine.h", "return {wi, albedo, wi.z", "return {wi, albedo * wi.z, wi.z", BOX),
+    },
+    LAB03: {
+        "throughput": ("shade.h", "= throughput * shadow_ray.light;", "= shadow_ray.light;", BOX),
+        "branches": ("shade_whitted.h",
+                     "surface, reflectance, wo);\n        return next_branch(pool, slot);",
+                     "surface, reflectance, wo);\n"
+                     "        return end_path(pool, slot, PathEnd::absorbed);",
+                     ("whitted", "--spp", 16, *square(160))),
+        "tiles": ("scan_efficient.cu",
+                  "sums[blockIdx.x] = tree[padded(t)];\n        tree[padded(t)] = 0;",
+                  "tree[padded(t)] = 0;\n        sums[blockIdx.x] = tree[padded(t)];",
+                  (*BOX, "--scan", "efficient")),
+        "copies": ("shared_geometry.h", "move_to_shared(scene.quads, free);",
+                   "free = static_cast<unsigned char*>(memory), move_to_shared(scene.quads, free);",
+                   ("cornell_spheres", *BOX[1:], "--shared-geometry")),
+        "cache": ("first_bounce_cache.h", "if (scene.render.jitter)", "if (false)",
+                  ("whitted", "--spp", 16, *square(128), "--first-bounce-cache")),
+    },
+    LAB04: {
+        "one_side": ("kd/build.cpp", "            if (high <= plane.at) {",
+                     "            if (low + high < 2 * plane.at) {\n"
+                     "                work_[kept++] = reference;\n"
+                     "            } else if (low + high >= 2 * plane.at) {\n"
+                     "                later_.push_back(reference);\n"
+                     "            } else if (high <= plane.at) {",
+                     (*HALL, "--accel", "kd", "--walk", "stack")),
+        "part_of_face": ("kd/ropes.cpp", "} else if (node.split <= cell.low[axis]) {",
+                         "} else if (node.split < cell.high[axis]) {",
+                         (*HALL, "--accel", "kd", "--walk", "ropes")),
+        "first_hit": ("kd/walk_ropes.h", "        if (visit_leaf(node, query)) return;",
+                      "        const float before = query.reach();\n"
+                      "        if (visit_leaf(node, query) || query.reach() < before) return;",
+                      (*HALL, "--accel", "kd", "--walk", "ropes")),
+        "from": ("bvh/walk_parent.h", "        from = -1;\n        if (next >= 0) {",
+                 "        if (next >= 0) {", (*HALL, "--accel", "sah", "--walk", "parent")),
+    },
 }
 
 
 def mistakes(raylab):
-    """Each mistake is built into a copy of the lab, laid over the tree, and rendered."""
+    """Each mistake is built into a copy of its lab, laid over the tree, and rendered."""
     overlay = raylab.scratch / "overlay"
-    lab = overlay / "labs/01_recursive"
     configure = ["cmake", "-S", ROOT, "-B", raylab.build, "-G", "Ninja"]
     program = Raylab(raylab.build / "app/raylab", raylab.scratch, raylab.build)
-    for name, (file, right, wrong) in MISTAKES.items():
-        shutil.rmtree(overlay, ignore_errors=True)
-        shutil.copytree(ROOT / "labs/01_recursive", lab)
-        source = (lab / file).read_text()
-        assert source.count(right) == 1, f"{file}: \"{right}\" should stand there once"
-        (lab / file).write_text(source.replace(right, wrong))
-        run_quietly(*configure, f"-DRAYLAB_OVERLAY={overlay}")
-        run_quietly("ninja", "-C", raylab.build, "raylab")
-        program.picture("01", "cornell", LAB01 / f"mistake_{name}.png", "--spp", 16, *square(160))
+    for figures, planted in MISTAKES.items():
+        folder = figures.parent
+        for name, (file, right, wrong, (scene, *options)) in planted.items():
+            shutil.rmtree(overlay, ignore_errors=True)
+            shutil.copytree(folder, overlay / "labs" / folder.name)
+            copy = overlay / "labs" / folder.name / file
+            source = copy.read_text()
+            assert source.count(right) == 1, f"{file}: \"{right}\" should stand there once"
+            copy.write_text(source.replace(right, wrong))
+            run_quietly(*configure, f"-DRAYLAB_OVERLAY={overlay}")
+            run_quietly("ninja", "-C", raylab.build, "raylab")
+            program.picture(folder.name[:2], scene, figures / f"mistake_{name}.png", *options)
     run_quietly(*configure, "-URAYLAB_OVERLAY")
 
 
@@ -224,6 +271,26 @@ def error(raylab):
             plot.curve([(n, first / math.sqrt(n)) for n in counts], "1 / sqrt(n)", INK, dots=False,
                        dash="4 4", dy=-15)
     plot.save(LAB02 / "error.svg")
+
+
+# --- lab 03 --------------------------------------------------------------------------------------
+
+def wavefront_lanes(raylab):
+    """The same paths with a thread a pixel, and with a list that is compacted after each bounce."""
+    plot = Plot("Lanes at work, of those that warps hold", "bounce", "share of lanes", (0, 9),
+                (0, 1.02))
+    plot.ticks(range(10), (0, 0.2, 0.4, 0.6, 0.8, 1), y_format="{:.0%}")
+    curves = [("03", "03", ("--compact", "on"), -8),
+              ("03, --compact 3", "03", ("--compact", "3"), 10), ("02", "02", (), 0)]
+    for (name, lab, options, dy), colour in zip(curves, COLOURS):
+        bounces = raylab.ledger("cornell", "--spp", 4, *options, lab=lab)["bounces"]
+        plot.curve([(b, row["lanes_alive"]) for b, row in enumerate(bounces[:10]) if row["rays"]],
+                   name, colour, dy=dy)
+    plot.save(LAB03 / "lanes.svg")
+
+
+def jitter(raylab):
+    raylab.picture("03", "whitted", LAB03 / "jitter.png", "--spp", 16, *square(128))
 
 
 # --- lab 04 --------------------------------------------------------------------------------------
@@ -291,6 +358,15 @@ def print_scaling(build, trace):
             print(f"| {n:,} | " + " | ".join(cells) + " |")
 
 
+# --- drawings ------------------------------------------------------------------------------------
+
+def drawings(_):
+    for folder, module in ((LAB03, wavefront_drawings), (LAB04, kd_drawings),
+                           (LAB04, box_drawings)):
+        for name, draw in module.DRAWINGS.items():
+            draw(folder / f"{name}.svg")
+
+
 def read_pfm(path):
     """All channels of a little-endian colour PFM, in the file's order."""
     kind, _size, scale, data = path.read_bytes().split(b"\n", 3)
@@ -301,7 +377,7 @@ def read_pfm(path):
 
 
 FIGURES = [whitted, cornell, spheres, lens, depth, strategies, hemisphere, fresnel, mistakes,
-           progressive, roulette, lanes, error, stadium, scaling]
+           progressive, roulette, lanes, error, wavefront_lanes, jitter, stadium, scaling, drawings]
 
 
 def main():
@@ -314,7 +390,7 @@ def main():
     options = parser.parse_args()
     if not options.program.is_file():
         parser.error(f"{options.program} is not there: build it, or name another with --program")
-    for folder in (LAB01, LAB02, LAB04):
+    for folder in FOLDERS:
         folder.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         raylab = Raylab(options.program.resolve(), pathlib.Path(scratch),
