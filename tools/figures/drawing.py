@@ -4,7 +4,7 @@ Every drawing has a white background of its own, so that it can be read on a dar
 """
 import html
 
-from plot import COLOURS, GRID, INK
+from plot import COLOURS, INK
 
 RED, BLUE, GREEN, GOLD, PURPLE = COLOURS
 PALE = {RED: "#f6d5d1", BLUE: "#cfe3f3", GREEN: "#cfe9d8", GOLD: "#f4e6bd", PURPLE: "#ded6ec"}
@@ -30,7 +30,8 @@ class Drawing:
     def text(self, x, y, words, anchor="middle", colour=INK, size=14, bold=False, mono=False):
         """y is the line on which the words stand."""
         self.parts.append(
-            f'<text x="{x:g}" y="{y:g}"' + (f' text-anchor="{anchor}"' if anchor != "middle" else "")
+            f'<text x="{x:g}" y="{y:g}"'
+            + (f' text-anchor="{anchor}"' if anchor != "middle" else "")
             + (f' fill="{colour}"' if colour != INK else "")
             + (f' font-size="{size}"' if size != 14 else "")
             + (' font-weight="bold"' if bold else "")
@@ -71,7 +72,8 @@ class Drawing:
         heads = "".join(
             f'<marker id="head{colour[1:]}" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" '
             f'markerHeight="8" markerUnits="userSpaceOnUse" orient="auto">'
-            f'<path d="M0 0L10 5L0 10z" fill="{colour}"/></marker>' for colour in sorted(self.heads))
+            f'<path d="M0 0L10 5L0 10z" fill="{colour}"/></marker>'
+            for colour in sorted(self.heads))
         w, h = self.width, self.height
         path.write_text("\n".join(
             [f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" '

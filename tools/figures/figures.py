@@ -8,7 +8,7 @@
 Needs the program (`./raylab render 01 cornell` builds it) and Pillow (`pip install pillow`), which
 reduces pictures to 256 colours: noise does not compress, and a handout should load at once.
 The pictures of mistakes are renders of wrong programs, built one after the other in build/figures.
-Drawings need neither: wavefront_drawings.py, kd_drawings.py and box_drawings.py compute what they show.
+What the files *_drawings.py draw needs no program: they compute it themselves.
 Every function below is one figure: its scene, samples and seed stand in the caption too.
 """
 import argparse
@@ -24,7 +24,10 @@ import tempfile
 from PIL import Image
 
 import box_drawings
+import heuristic_drawings
 import kd_drawings
+import scan_drawings
+import walk_drawings
 import wavefront_drawings
 from plot import COLOURS, INK, Plot, save_beside
 
@@ -361,8 +364,9 @@ def print_scaling(build, trace):
 # --- drawings ------------------------------------------------------------------------------------
 
 def drawings(_):
-    for folder, module in ((LAB03, wavefront_drawings), (LAB04, kd_drawings),
-                           (LAB04, box_drawings)):
+    for folder, module in ((LAB03, wavefront_drawings), (LAB03, scan_drawings),
+                           (LAB04, heuristic_drawings), (LAB04, kd_drawings),
+                           (LAB04, box_drawings), (LAB04, walk_drawings)):
         for name, draw in module.DRAWINGS.items():
             draw(folder / f"{name}.svg")
 

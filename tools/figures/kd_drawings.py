@@ -2,10 +2,7 @@
 
 Tree, ropes and walks are computed as labs/04_accel/kd does it.
 """
-import math
-import random
-
-from drawing import BLUE, Drawing, GOLD, GREEN, GREY, INK, PALE, PURPLE, RED
+from drawing import BLUE, Drawing, GOLD, GREEN, INK, PALE, RED
 
 SIZE = (8, 6)  # of the root's cell
 NO_ROPE = -1
@@ -195,7 +192,8 @@ def kd_ropes(target):
             axis, upper = face // 2, face % 2
             start, end = list(middle), list(middle)
             edge = (node.high if upper else node.low)[axis]
-            start[axis], end[axis] = edge - (0.45 if upper else -0.45), edge + (0.5 if upper else -0.5)
+            start[axis] = edge - (0.45 if upper else -0.45)
+            end[axis] = edge + (0.5 if upper else -0.5)
             if rope == NO_ROPE:
                 end[axis] = edge + (0.3 if upper else -0.3)
             if name == "A" and face == 3:  # beside the arrow of C
@@ -217,8 +215,8 @@ def kd_ropes(target):
         colour = {"A": RED, "C": GREEN}.get(name, INK)
         d.text(464, y, name, "start", size=13, colour=colour)
         for k, rope in enumerate(by_name[name].rope):
-            d.text(540 + 62 * k, y, "-" if rope == NO_ROPE else f"{rope}{nodes[rope].name}", size=13,
-                   colour=colour)
+            words = "-" if rope == NO_ROPE else f"{rope}{nodes[rope].name}"
+            d.text(540 + 62 * k, y, words, size=13, colour=colour)
     d.save(target)
 
 
@@ -234,8 +232,8 @@ def kd_walks(target):
     left, top, scale = 24, 24, 48
     draw_cells(d, nodes, left, top, scale, {name: PALE[GOLD] for name in leaves[0]})
     begin, end = ray.inside(nodes[0].low, nodes[0].high)
-    d.arrow(*place(*ray.at(0.05), left, top, scale), *place(*ray.at(end + 0.3), left, top, scale), RED,
-            2.2)
+    d.arrow(*place(*ray.at(0.05), left, top, scale),
+            *place(*ray.at(end + 0.3), left, top, scale), RED, 2.2)
     ts = [begin]
     for node in (n for name in leaves[0] for n in nodes if n.name == name):
         ts.append(ray.inside(node.low, node.high)[1])
@@ -262,73 +260,4 @@ def kd_walks(target):
     return {name: len(visited) for name, visited in walks}
 
 
-# --- where to cut --------------------------------------------------------------------------------
-
-def packs(n):
-    return -(-n // 8)
-
-
-def kd_cost(target):
-    """The cost of a cut at every place along one axis of a cell, of 80 triangles' boxes."""
-    numbers = random.Random(3)
-    length, width, step, empty = 16.0, 6.0, 2.0, 0.9
-    boxes = []
-    for centre, spread, count in ((3.0, 0.9, 58), (11.5, 1.8, 22)):
-        for _ in range(count):
-            middle, half = numbers.gauss(centre, spread), numbers.uniform(0.1, 0.7)
-            boxes.append((max(0.6, middle - half), min(15.2, middle + half)))
-    n = len(boxes)
-    area = length * width * 2 + width * width
-    places = sorted({p for box in boxes for p in box})
-
-    def cost(plane):
-        below = sum(1 for low, _ in boxes if low < plane)
-        above = sum(1 for _, high in boxes if high > plane)
-        part = [width * width + 2 * width * x for x in (plane, length - plane)]
-        whole = step + (part[0] * packs(below) + part[1] * packs(above)) / area
-        return whole * (empty if below == 0 or above == 0 else 1)
-
-    best = min(places, key=cost)
-    d = Drawing(760, 430)
-    left, w, top, height = 70, 640, 210, 170
-    high = max(cost(p) for p in places) + 0.4
-
-    def x_of(x):
-        return left + x / length * w
-
-    def y_of(c):
-        return top + height - c / high * height
-
-    d.text(left, 20, f"{n} triangles of a cell, as far as they reach along x", "start", bold=True)
-    bars = ""
-    for k, (a, b) in enumerate(sorted(boxes)):
-        bars += f"M{x_of(a):.1f} {32 + 1.8 * k:.1f}H{x_of(b):.1f}"
-    d.path(bars, BLUE, 1.2)
-    d.text(left, 200, "cost of a ray through the cell, if it is cut here", "start", bold=True)
-    for c in range(0, math.ceil(high), 2):
-        d.line(left, y_of(c), left + w, y_of(c), "#dddddd", 1)
-        d.text(left - 8, y_of(c) + 5, c, "end", size=12)
-    d.line(left, y_of(packs(n)), left + w, y_of(packs(n)), GREEN, 1.5, "6 4")
-    d.text(x_of(7.5), y_of(packs(n)) - 6, f"a leaf: {packs(n)} packs", size=13, colour=GREEN)
-    points, ends = [], [0.0] + places + [length]
-    for a, b in zip(ends, ends[1:]):
-        points += [(x, cost(x)) for x in (a + 1e-9, b - 1e-9)]
-    bends = [points[0]] + [q for p, q, r in zip(points, points[1:], points[2:])
-                           if abs(p[1] + (r[1] - p[1]) * (q[0] - p[0]) / (r[0] - p[0]) - q[1])
-                           > 1e-3] + [points[-1]]
-    d.path("M" + "L".join(f"{x_of(x):.1f} {y_of(c):.1f}" for x, c in bends), RED, 1.8)
-    for k in range(1, 32):
-        x = k * length / 32
-        d.circle(x_of(x), y_of(cost(x)), 2.6, "white", RED)
-    d.line(x_of(best), 28, x_of(best), top + height, PURPLE, 1.5, "4 3")
-    d.text(x_of(best) + 6, top + height - 8, f"the least: {cost(best):.2f}", "start", size=13,
-           colour=PURPLE)
-    d.line(left, top + height, left + w, top + height)
-    for x in range(0, 17, 4):
-        d.text(x_of(x), top + height + 18, x, size=12)
-    d.text(left + w / 2, top + height + 38, "x; circles: the 31 planes that try_bins() considers",
-           size=13)
-    d.save(target)
-
-
-DRAWINGS = {"kd_cost": kd_cost, "kd_ropes": kd_ropes, "kd_walks": kd_walks}
+DRAWINGS = {"kd_ropes": kd_ropes, "kd_walks": kd_walks}
