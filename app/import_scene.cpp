@@ -1,6 +1,7 @@
 #include "app/import_scene.h"
 
 #include "app/labs.h"
+#include "common/material/bsdf.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,8 +44,7 @@ Bounds bounds_of(const Mesh& mesh) {
 // As a scene writes a material, or nothing where it cannot.
 std::string written(const MeshMaterial& mesh_material) {
     const Material& m = mesh_material.material;
-    const bool refracts = m.kind == MaterialKind::glass || m.kind == MaterialKind::rough_dielectric;
-    if (mesh_material.picture >= 0 || (refracts && is_emissive(m))) return "";
+    if (mesh_material.picture >= 0 || (is_clear(m) && is_emissive(m))) return "";
     const std::string tint =
         m.reflectance == Vec3(1) ? "" : ", \"reflectance\": " + array(DVec3(m.reflectance));
     const std::string reflectance = ", \"reflectance\": " + array(DVec3(m.reflectance));

@@ -1,6 +1,8 @@
 // From glTF's metallic-roughness model to the nearest of raylab's materials.
 #include "common/load/gltf_material.h"
 
+#include "common/material/bsdf.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -175,9 +177,7 @@ Material nearest_material(const GltfMaterial& m) {
     Material result = m.transmission >= 0.5f && m.metallic < 0.5f ? glass(m)
                       : m.metallic >= 0.5f                        ? metal(m)
                                                                   : plastic(m);
-    const bool may_glow =
-        result.kind != MaterialKind::glass && result.kind != MaterialKind::rough_dielectric;
-    if (may_glow) result.emission = m.emission;
+    if (!is_clear(result)) result.emission = m.emission;
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "common/load/scene_builder.h"
 #include "common/load/scene_error.h"
 #include "common/load/suggest.h"
+#include "common/material/bsdf.h"
 
 #include <fmt/format.h>
 
@@ -41,12 +42,9 @@ Material SceneBuilder::read_material(const Node& node) {
     using Kind = MaterialKind;
     Material m;
     const Node kind = node.at("kind");
-    m.kind = kind.one_of<Kind>({{"diffuse", Kind::diffuse},
-                                {"mirror", Kind::mirror},
-                                {"glass", Kind::glass},
-                                {"phong", Kind::phong},
-                                {"conductor", Kind::conductor},
-                                {"rough_dielectric", Kind::rough_dielectric}});
+    std::vector<std::pair<std::string, Kind>> kinds;
+    for (int k = 0; k < material_kinds; ++k) kinds.emplace_back(name_of(Kind(k)), Kind(k));
+    m.kind = kind.one_of(kinds);
     node.expect_keys(scene_keys().at("material " + kind.string()),
                      "a material of kind " + kind.string());
 

@@ -4,6 +4,7 @@
 #include "common/load/keys.h"
 #include "common/load/load.h"
 #include "common/load/read_file.h"
+#include "common/material/bsdf.h"
 #include "common/math/features.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/shape_boxes.h"
@@ -186,16 +187,15 @@ void SceneBuilder::number_opaque_first() {
         for (Plane& shape : scene_.planes) visit(shape.tags);
         for (Triangle& shape : scene_.triangles) visit(shape.tags);
     };
-    std::vector<bool> is_clear(std::size_t(next_id_), false);
+    std::vector<bool> is_clear_id(std::size_t(next_id_), false);
     each_shape([&](const ShapeTags& tags) {
-        const MaterialKind kind = scene_.materials[tags.material].kind;
-        is_clear[tags.id] = kind == MaterialKind::glass || kind == MaterialKind::rough_dielectric;
+        is_clear_id[tags.id] = is_clear(scene_.materials[tags.material]);
     });
-    std::vector<int> number(is_clear.size());
+    std::vector<int> number(is_clear_id.size());
     int next = 0;
     for (const bool clear : {false, true})
         for (std::size_t id = 0; id < number.size(); ++id)
-            if (is_clear[id] == clear) number[id] = next++;
+            if (is_clear_id[id] == clear) number[id] = next++;
     each_shape([&](ShapeTags& tags) { tags.id = number[tags.id]; });
 }
 

@@ -6,58 +6,67 @@
 // texture's.
 #pragma once
 
-#include "common/material/bsdf_sample.h"
 #include "common/material/conductor.h"
 #include "common/material/diffuse.h"
 #include "common/material/glass.h"
 #include "common/material/mirror.h"
 #include "common/material/phong.h"
 #include "common/material/rough_dielectric.h"
-#include "common/math/features.h"
 
 namespace raylab {
 
+// Calls ask(Bsdf<K>()) for the kind K of material, or returns Result{} if F has not that kind. The
+// compiler refuses a kind without a line here, and a line without a Bsdf.
+template <Features F, class Result, class Ask>
+HD_HOT Result with_bsdf(MaterialKind kind, const Ask& ask) {
+    const auto ask_if_in_kernel = [&]<MaterialKind K>(Bsdf<K> bsdf) -> Result {
+        if constexpr ((F & feature_of(K)) != 0) return ask(bsdf);
+        return {};
+    };
+    switch (kind) {
+    case MaterialKind::diffuse:
+        return ask_if_in_kernel(Bsdf<MaterialKind::diffuse>());
+    case MaterialKind::mirror:
+        return ask_if_in_kernel(Bsdf<MaterialKind::mirror>());
+    case MaterialKind::glass:
+        return ask_if_in_kernel(Bsdf<MaterialKind::glass>());
+    case MaterialKind::phong:
+        return ask_if_in_kernel(Bsdf<MaterialKind::phong>());
+    case MaterialKind::conductor:
+        return ask_if_in_kernel(Bsdf<MaterialKind::conductor>());
+    case MaterialKind::rough_dielectric:
+        return ask_if_in_kernel(Bsdf<MaterialKind::rough_dielectric>());
+    }
+    return {};
+}
+
+// As scene files name it.
+inline const char* name_of(MaterialKind kind) {
+    return with_bsdf<feature::all, const char*>(kind, [](auto bsdf) { return bsdf.name; });
+}
+
+// Does light pass through the material?
+template <Features F = feature::all> HD bool is_clear(const Material& m) {
+    return with_bsdf<F, bool>(m.kind, [](auto bsdf) { return bsdf.is_clear; });
+}
+
 // Does light leave the material in single directions only? Then light sampling is of no use.
 template <Features F> HD bool is_specular(const Material& m) {
-    switch (m.kind) {
-    case MaterialKind::mirror:
-        return (F & feature::mirror) != 0;
-    case MaterialKind::glass:
-        return (F & feature::glass) != 0;
-    case MaterialKind::conductor:
-        return (F & feature::conductor) && m.is_smooth();
-    case MaterialKind::rough_dielectric:
-        return (F & feature::rough_dielectric) && is_smooth_dielectric(m);
-    default:
-        return false;
-    }
+    return with_bsdf<F, bool>(m.kind, [&](auto bsdf) { return bsdf.is_specular(m); });
 }
 
 // f(wo, wi) |cos(theta_i)| and the density of wi. Delta lobes give 0.
 template <Features F>
 HD BsdfValue evaluate_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, Vec3 wi) {
-    if constexpr ((F & feature::rough_dielectric) != 0)
-        if (m.kind == MaterialKind::rough_dielectric)
-            return evaluate_rough_dielectric(m, reflectance, wo, wi);
-
-    if (!(wo.z * wi.z > 0)) return {}; // nothing passes an opaque surface
-    wo.z = fabsf(wo.z);
-    wi.z = fabsf(wi.z);
-    switch (m.kind) {
-    case MaterialKind::diffuse:
-        if constexpr ((F & feature::diffuse) != 0) return evaluate_diffuse(reflectance, wi);
-        break;
-    case MaterialKind::phong:
-        if constexpr ((F & feature::phong) != 0) return evaluate_phong(m, reflectance, wo, wi);
-        break;
-    case MaterialKind::conductor:
-        if constexpr ((F & feature::conductor) != 0)
-            return evaluate_conductor(m, reflectance, wo, wi);
-        break;
-    default:
-        break;
-    }
-    return {};
+    return with_bsdf<F, BsdfValue>(m.kind, [&](auto bsdf) -> BsdfValue {
+        if constexpr (bsdf.is_clear) {
+            return bsdf.evaluate(m, reflectance, wo, wi);
+        } else {
+            if (!(wo.z * wi.z > 0)) return {}; // nothing passes an opaque surface
+            return bsdf.evaluate(m, reflectance, Vec3(wo.x, wo.y, fabsf(wo.z)),
+                                 Vec3(wi.x, wi.y, fabsf(wi.z)));
+        }
+    });
 }
 
 // A direction for light to come from. u_lobe chooses between reflection and refraction, or between
@@ -65,33 +74,16 @@ HD BsdfValue evaluate_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, Vec3 wi
 template <Features F>
 HD BsdfSample sample_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, float u_lobe, Vec2 u) {
     if (wo.z == 0) return {};
-    const Vec3 up(wo.x, wo.y, fabsf(wo.z));
-    BsdfSample sample;
-    switch (m.kind) {
-    case MaterialKind::diffuse:
-        if constexpr ((F & feature::diffuse) != 0) sample = sample_diffuse(reflectance, u);
-        break;
-    case MaterialKind::mirror:
-        if constexpr ((F & feature::mirror) != 0) sample = sample_mirror(reflectance, up);
-        break;
-    case MaterialKind::phong:
-        if constexpr ((F & feature::phong) != 0)
-            sample = sample_phong(m, reflectance, up, u_lobe, u);
-        break;
-    case MaterialKind::conductor:
-        if constexpr ((F & feature::conductor) != 0)
-            sample = sample_conductor(m, reflectance, up, u);
-        break;
-    case MaterialKind::glass:
-        if constexpr ((F & feature::glass) != 0) return sample_glass(m, reflectance, wo, u_lobe);
-        break;
-    case MaterialKind::rough_dielectric:
-        if constexpr ((F & feature::rough_dielectric) != 0)
-            return sample_rough_dielectric(m, reflectance, wo, u_lobe, u);
-        break;
-    }
-    if (wo.z < 0) sample.wi.z = -sample.wi.z;
-    return sample;
+    return with_bsdf<F, BsdfSample>(m.kind, [&](auto bsdf) -> BsdfSample {
+        if constexpr (bsdf.is_clear) {
+            return bsdf.sample(m, reflectance, wo, u_lobe, u);
+        } else {
+            const Vec3 above(wo.x, wo.y, fabsf(wo.z));
+            BsdfSample sample = bsdf.sample(m, reflectance, above, u_lobe, u);
+            if (wo.z < 0) sample.wi.z = -sample.wi.z;
+            return sample;
+        }
+    });
 }
 
 } // namespace raylab

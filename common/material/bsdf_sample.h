@@ -4,7 +4,7 @@
 // the light) point away from the surface.
 #pragma once
 
-#include "common/math/vec.h"
+#include "common/material/material.h"
 
 namespace raylab {
 
@@ -23,5 +23,16 @@ struct BsdfValue {
     Vec3 f_cos = Vec3(0); // f(wo, wi) |cos(theta_i)|, 1/sr
     float pdf = 0;        // the density with which sampling chooses wi, 1/sr
 };
+
+// What the file of a material tells of its kind, by a specialisation with these members:
+//
+//     static constexpr const char* name;         // in scene files
+//     static constexpr bool is_clear;            // does light pass through it?
+//     static bool is_specular(const Material&);  // does it scatter in single directions only?
+//     static BsdfValue evaluate(const Material&, Vec3 reflectance, Vec3 wo, Vec3 wi);
+//     static BsdfSample sample(const Material&, Vec3 reflectance, Vec3 wo, float u_lobe, Vec2 u);
+//
+// An opaque material is asked for directions above its surface only: wo.z, wi.z > 0.
+template <MaterialKind> struct Bsdf;
 
 } // namespace raylab

@@ -37,4 +37,16 @@ HD BsdfSample sample_conductor(const Material& m, Vec3 factor, Vec3 wo, Vec2 u) 
     return {wi, reflectance * distribution.weight(wo, wi, normal), pdf, false, pdf > 0};
 }
 
+template <> struct Bsdf<MaterialKind::conductor> {
+    static constexpr const char* name = "conductor";
+    static constexpr bool is_clear = false;
+    HD static bool is_specular(const Material& m) { return m.is_smooth(); }
+    HD static BsdfValue evaluate(const Material& m, Vec3 factor, Vec3 wo, Vec3 wi) {
+        return evaluate_conductor(m, factor, wo, wi);
+    }
+    HD static BsdfSample sample(const Material& m, Vec3 factor, Vec3 wo, float, Vec2 u) {
+        return sample_conductor(m, factor, wo, u);
+    }
+};
+
 } // namespace raylab

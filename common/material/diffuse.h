@@ -26,4 +26,16 @@ HD_HOT BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) {
 //| HD BsdfSample sample_diffuse(Vec3 albedo, Vec2 u) { return lab01::scatter_diffuse(albedo, u); }
 //]
 
+template <> struct Bsdf<MaterialKind::diffuse> {
+    static constexpr const char* name = "diffuse";
+    static constexpr bool is_clear = false;
+    HD static bool is_specular(const Material&) { return false; }
+    HD static BsdfValue evaluate(const Material&, Vec3 albedo, Vec3, Vec3 wi) {
+        return evaluate_diffuse(albedo, wi);
+    }
+    HD static BsdfSample sample(const Material&, Vec3 albedo, Vec3, float, Vec2 u) {
+        return sample_diffuse(albedo, u);
+    }
+};
+
 } // namespace raylab

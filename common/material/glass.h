@@ -43,4 +43,14 @@ HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) 
 //| }
 //]
 
+template <> struct Bsdf<MaterialKind::glass> {
+    static constexpr const char* name = "glass";
+    static constexpr bool is_clear = true;
+    HD static bool is_specular(const Material&) { return true; }
+    HD static BsdfValue evaluate(const Material&, Vec3, Vec3, Vec3) { return {}; }
+    HD static BsdfSample sample(const Material& m, Vec3 tint, Vec3 wo, float u_lobe, Vec2) {
+        return sample_glass(m, tint, wo, u_lobe);
+    }
+};
+
 } // namespace raylab

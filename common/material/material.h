@@ -1,6 +1,7 @@
 // What a surface is made of, as plain data.
 #pragma once
 
+#include "common/math/features.h"
 #include "common/math/vec.h"
 
 namespace raylab {
@@ -13,6 +14,22 @@ enum class MaterialKind : int {
     conductor,        // microfacet metal
     rough_dielectric, // microfacet glass
 };
+constexpr int material_kinds = static_cast<int>(MaterialKind::rough_dielectric) + 1;
+
+// The bit of the kind in the set of features that a scene uses.
+constexpr Features feature_of(MaterialKind kind) {
+    return feature::first_material << static_cast<int>(kind);
+}
+
+namespace feature {
+constexpr Features diffuse = feature_of(MaterialKind::diffuse);
+constexpr Features mirror = feature_of(MaterialKind::mirror);
+constexpr Features glass = feature_of(MaterialKind::glass);
+constexpr Features phong = feature_of(MaterialKind::phong);
+constexpr Features conductor = feature_of(MaterialKind::conductor);
+constexpr Features rough_dielectric = feature_of(MaterialKind::rough_dielectric);
+constexpr Features any_material = ((1u << material_kinds) - 1) * first_material;
+} // namespace feature
 
 enum class Microfacets : int { ggx, beckmann };
 enum class FresnelModel : int { exact, schlick };

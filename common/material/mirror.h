@@ -10,4 +10,14 @@ HD BsdfSample sample_mirror(Vec3 reflectance, Vec3 wo) {
     return {Vec3(-wo.x, -wo.y, wo.z), reflectance, 0, true, true};
 }
 
+template <> struct Bsdf<MaterialKind::mirror> {
+    static constexpr const char* name = "mirror";
+    static constexpr bool is_clear = false;
+    HD static bool is_specular(const Material&) { return true; }
+    HD static BsdfValue evaluate(const Material&, Vec3, Vec3, Vec3) { return {}; }
+    HD static BsdfSample sample(const Material&, Vec3 reflectance, Vec3 wo, float, Vec2) {
+        return sample_mirror(reflectance, wo);
+    }
+};
+
 } // namespace raylab

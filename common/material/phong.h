@@ -53,4 +53,16 @@ HD BsdfSample sample_phong(const Material& m, Vec3 albedo, Vec3 wo, float u_lobe
     return {wi, value.f_cos / value.pdf, value.pdf, false, true};
 }
 
+template <> struct Bsdf<MaterialKind::phong> {
+    static constexpr const char* name = "phong";
+    static constexpr bool is_clear = false;
+    HD static bool is_specular(const Material&) { return false; }
+    HD static BsdfValue evaluate(const Material& m, Vec3 albedo, Vec3 wo, Vec3 wi) {
+        return evaluate_phong(m, albedo, wo, wi);
+    }
+    HD static BsdfSample sample(const Material& m, Vec3 albedo, Vec3 wo, float u_lobe, Vec2 u) {
+        return sample_phong(m, albedo, wo, u_lobe, u);
+    }
+};
+
 } // namespace raylab

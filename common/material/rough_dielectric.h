@@ -63,4 +63,16 @@ HD BsdfSample sample_rough_dielectric(const Material& m, Vec3 tint, Vec3 wo, flo
     return {wi, tint * weight, pdf, false, pdf > 0};
 }
 
+template <> struct Bsdf<MaterialKind::rough_dielectric> {
+    static constexpr const char* name = "rough_dielectric";
+    static constexpr bool is_clear = true;
+    HD static bool is_specular(const Material& m) { return is_smooth_dielectric(m); }
+    HD static BsdfValue evaluate(const Material& m, Vec3 tint, Vec3 wo, Vec3 wi) {
+        return evaluate_rough_dielectric(m, tint, wo, wi);
+    }
+    HD static BsdfSample sample(const Material& m, Vec3 tint, Vec3 wo, float u_lobe, Vec2 u) {
+        return sample_rough_dielectric(m, tint, wo, u_lobe, u);
+    }
+};
+
 } // namespace raylab

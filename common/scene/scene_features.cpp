@@ -1,32 +1,13 @@
 // Which features a scene uses, from its arrays.
 #include "common/scene/scene_features.h"
 
+#include "common/material/bsdf.h"
 #include "common/scene/scene.h"
 
 #include <utility>
+#include <vector>
 
 namespace raylab {
-namespace {
-
-Features feature_of(MaterialKind kind) {
-    switch (kind) {
-    case MaterialKind::diffuse:
-        return feature::diffuse;
-    case MaterialKind::mirror:
-        return feature::mirror;
-    case MaterialKind::glass:
-        return feature::glass;
-    case MaterialKind::phong:
-        return feature::phong;
-    case MaterialKind::conductor:
-        return feature::conductor;
-    case MaterialKind::rough_dielectric:
-        return feature::rough_dielectric;
-    }
-    return 0;
-}
-
-} // namespace
 
 Features features_of(const Scene& scene) {
     Features features = 0;
@@ -58,26 +39,19 @@ Features features_of(const Scene& scene) {
 }
 
 std::string feature_names(Features features) {
-    const std::pair<Features, const char*> names[] = {
-        {feature::sphere, "sphere"},
-        {feature::quad, "quad"},
-        {feature::plane, "plane"},
-        {feature::triangle, "triangle"},
-        {feature::corners, "corners"},
-        {feature::texture, "texture"},
-        {feature::diffuse, "diffuse"},
-        {feature::mirror, "mirror"},
-        {feature::glass, "glass"},
-        {feature::phong, "phong"},
-        {feature::conductor, "conductor"},
-        {feature::rough_dielectric, "rough_dielectric"},
-        {feature::area_light, "area_light"},
-        {feature::point_light, "point_light"},
-        {feature::environment, "environment"},
-        {feature::environment_map, "environment_map"},
-        {feature::lens, "lens"},
-        {feature::vertex_colours, "vertex_colours"},
+    std::vector<std::pair<Features, const char*>> names = {
+        {feature::sphere, "sphere"},   {feature::quad, "quad"},
+        {feature::plane, "plane"},     {feature::triangle, "triangle"},
+        {feature::corners, "corners"}, {feature::texture, "texture"},
     };
+    for (int k = 0; k < material_kinds; ++k)
+        names.emplace_back(feature_of(MaterialKind(k)), name_of(MaterialKind(k)));
+    names.insert(names.end(), {{feature::area_light, "area_light"},
+                               {feature::point_light, "point_light"},
+                               {feature::environment, "environment"},
+                               {feature::environment_map, "environment_map"},
+                               {feature::lens, "lens"},
+                               {feature::vertex_colours, "vertex_colours"}});
     std::string text;
     for (const auto& [bit, name] : names)
         if (features & bit) text.append(text.empty() ? "" : " ").append(name);

@@ -4,7 +4,7 @@
 // generality costs.
 #pragma once
 
-#include "common/math/features.h"
+#include "common/material/material.h"
 
 namespace raylab {
 
@@ -19,9 +19,9 @@ constexpr Features everything = feature::all;
 
 constexpr bool covers(Features kernel, Features scene) { return (scene & ~kernel) == 0; }
 
-// Calls f.template operator()<F>() with the smallest variant F that covers the scene's features. In
-// a build with RAYLAB_VARIANTS=one there is but the largest: it compiles in a third of the time,
-// which is what builds want that look for other things than speed.
+// Calls f.template operator()<F>() with the smallest variant F that covers the scene's features. A
+// build with RAYLAB_VARIANTS=one has the largest variant only. It compiles in a third of the time;
+// builds in which nothing is timed use it.
 template <class Function>
 decltype(auto) with_variant([[maybe_unused]] Features scene, Function&& f) {
 #if !defined(RAYLAB_ONE_VARIANT)

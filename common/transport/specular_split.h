@@ -17,14 +17,10 @@ struct SpecularSplit {
 // material: is_specular. wo and what comes out: local.
 template <Features F>
 HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3 wo) {
-    constexpr bool has_glass = (F & (feature::glass | feature::rough_dielectric)) != 0;
-    if constexpr (has_glass) {
-        if (material.kind == MaterialKind::glass ||
-            material.kind == MaterialKind::rough_dielectric) {
-            const FresnelSplit split = fresnel_split(material, wo);
-            return {split.reflected, reflectance * split.reflectance, split.refracted,
-                    reflectance * (1 - split.reflectance), split.reflectance < 1};
-        }
+    if (is_clear<F>(material)) {
+        const FresnelSplit split = fresnel_split(material, wo);
+        return {split.reflected, reflectance * split.reflectance, split.refracted,
+                reflectance * (1 - split.reflectance), split.reflectance < 1};
     }
     // The remaining lobes draw nothing at random: their sample is the one direction there is.
     const BsdfSample sample = sample_bsdf<F>(material, reflectance, wo, 0, Vec2(0));
