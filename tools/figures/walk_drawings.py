@@ -118,7 +118,7 @@ def stack_walk():
 
 def parent_pointers(target):
     visits = parent_walk()
-    d = Drawing(760, 456)
+    d = Drawing(760, 480)
     draw_tree(d, 60)
     d.text(20, 24, "bold: the boxes that the ray crosses;", "start", size=13)
     d.text(20, 42, "near is left", "start", size=13)

@@ -110,7 +110,7 @@ def material_queues(target):
     """Three stable splits sort the list by kind; queues are filled by atomics instead."""
     kinds = [0, 2, 0, 1, 7, 0, 2, 1]
     colours = {k: PALE[colour] for k, (_, colour) in enumerate(KINDS)} | {7: GREY}
-    d = Drawing(760, 440)
+    d = Drawing(760, 462)
     left, w = 190, 50
     rows = [("the list", list(range(8)))]
     for bit in range(3):
@@ -137,7 +137,7 @@ def material_queues(target):
         d.box(x, 240, 14, 14, fill)
         d.text(x + 20, 252, words, "start", size=12)
     d.text(16, 294, "--sort queues: a queue and a kernel for each kind", "start", bold=True)
-    d.text(744, 294, "places in a queue are taken by atomicAdd: in any order", "end", size=12)
+    d.text(left, 446, "places in a queue are taken by atomicAdd, in any order", "start", size=12)
     for kind, (name, _) in enumerate(KINDS):
         y = 308 + 42 * kind
         queue = [s for s in range(8) if kinds[s] == kind]
