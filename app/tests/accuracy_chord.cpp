@@ -4,8 +4,8 @@
 // sin t and flies 2 R cos t: 2 R * 2/3. The furnace's radiance is exact however often a bounce hits
 // its own starting point, since every hit adds the same; the mean distance is not.
 #include "app/tests/accuracy.h"
-#include "common/geometry/offset.h"
 #include "common/sampling/sampler.h"
+#include "common/trace/offset.h"
 #include "labs/01_recursive/camera.h"
 #include "labs/01_recursive/scatter.h"
 

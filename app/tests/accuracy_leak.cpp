@@ -2,8 +2,8 @@
 // on.
 #include "app/tests/accuracy.h"
 #include "app/tests/icosphere.h"
-#include "common/geometry/offset.h"
 #include "common/load/transform.h"
+#include "common/trace/offset.h"
 
 namespace raylab::app {
 

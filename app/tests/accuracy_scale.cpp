@@ -4,7 +4,7 @@
 // Multiplying every length by 2^k is exact in binary arithmetic. If no bit of the image changes,
 // nothing in the renderer compares a length with a constant.
 #include "app/tests/accuracy.h"
-#include "common/geometry/offset.h"
+#include "common/trace/offset.h"
 
 namespace raylab::app {
 

@@ -9,10 +9,10 @@
 #pragma once
 
 #include "common/film/ledger.h"
-#include "common/geometry/offset.h"
 #include "common/math/index.h"
 #include "common/sampling/sampler.h"
 #include "common/trace/intersect.h"
+#include "common/trace/offset.h"
 #include "common/transport/emission.h"
 #include "common/transport/scatter.h"
 

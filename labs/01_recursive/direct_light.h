@@ -3,9 +3,9 @@
 //     L = f(wo, wi) |cos(wi)| Le V / pdf,   V: does the shadow ray reach the light?
 #pragma once
 
-#include "common/geometry/offset.h"
 #include "common/math/index.h"
 #include "common/sampling/mis.h"
+#include "common/trace/offset.h"
 #include "common/transport/emission.h"
 #include "labs/01_recursive/intersect.h"
 #include "labs/01_recursive/scatter.h"

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "common/geometry/make_quad.h"
-#include "common/geometry/offset.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/sphere_groups.h"
 #include "common/trace/intersect.h"
+#include "common/trace/offset.h"
 
 #include <gtest/gtest.h>
 
