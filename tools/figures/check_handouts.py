@@ -4,7 +4,8 @@
     python3 tools/figures/check_handouts.py
 
 Every task's section stands under the heading that `raylab check` names, every picture shown is
-there and small, and no line of a solution stands in a handout. Ends with 1 and a list if not.
+there and small, a breakpoint stands where the handout says, and no line of a solution stands in a
+handout. Ends with 1 and a list if not.
 """
 import json
 import pathlib
@@ -14,6 +15,16 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LARGEST_PICTURE = 80_000  # bytes
 SHORTEST = 28  # characters of a line that gives something away, as in grader/course/release.cpp
+
+# What stands in the line of a breakpoint, or in the next, by its file.
+STOPS = {
+    "renderer.cu": "sampler_of_path(",
+    "path.h": "sample_bsdf<F>(",
+    "shade.h": "sample_bsdf<F>(",
+    "kernels.cu": "pool.alive[slot]",
+    "walk_kernels.h": "Walk::walk(",
+    "walk_ropes.h": "query.step()",
+}
 
 
 def squeezed(line):
@@ -31,6 +42,16 @@ def solution_lines(lab):
                 yield squeezed(line)
 
 
+def stray_stops(lab, handout):
+    """Lines that a handout gives to gdb, and that are not what it says they are."""
+    for place, number in set(re.findall(r"(?:break|dprintf) ([\w/.]+):(\d+)", handout)):
+        name = pathlib.PurePath(place).name
+        found = list(lab.rglob(name))
+        lines = found[0].read_text().splitlines()[int(number) - 1:][:2] if len(found) == 1 else []
+        if not any(STOPS[name] in line for line in lines):
+            yield f"{place}:{number} is not where {STOPS[name]} stands"
+
+
 def problems(lab):
     handout = (lab / "README.md").read_text()
     headings = re.findall(r"^#+ (.*)$", handout, re.MULTILINE)
@@ -42,6 +63,7 @@ def problems(lab):
             yield f"no picture {name}"
         elif (lab / name).stat().st_size > LARGEST_PICTURE:
             yield f"{name} has more than {LARGEST_PICTURE} bytes"
+    yield from stray_stops(lab, handout)
     said = squeezed(handout.replace("//", ""))
     for line in set(solution_lines(lab)):
         if line in said:
