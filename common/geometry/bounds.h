@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/geometry/ray.h"
+#include "common/math/along.h"
 
 namespace raylab {
 
@@ -28,7 +29,8 @@ struct SlabRay {
     bool negative[3];
 
     HD explicit SlabRay(const Ray& ray) : o(ray.o), inv_d(1.0f / ray.d) {
-        for (int axis = 0; axis < 3; ++axis) negative[axis] = inv_d[axis] < 0; // 1 / -0 = -inf
+        for (int axis = 0; axis < 3; ++axis)
+            negative[axis] = along(inv_d, axis) < 0; // 1 / -0 = -inf
     }
 };
 
@@ -42,8 +44,8 @@ HD bool crosses(const Bounds& box, const SlabRay& ray, float t_max) {
     float t_near = 0, t_far = t_max;
     for (int axis = 0; axis < 3; ++axis) {
         const bool negative = ray.negative[axis];
-        const float o = ray.o[axis], inv_d = ray.inv_d[axis];
-        const float low = box.low[axis], high = box.high[axis];
+        const float o = along(ray.o, axis), inv_d = along(ray.inv_d, axis);
+        const float low = along(box.low, axis), high = along(box.high, axis);
         const float near_t = ((negative ? high : low) - o) * inv_d;
         const float far_t = ((negative ? low : high) - o) * inv_d;
         if (near_t > t_near) t_near = near_t;

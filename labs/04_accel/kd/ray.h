@@ -41,14 +41,6 @@ struct KdRay {
     // Of the two children, the one that the ray comes to first.
     HD_HOT int first(const KdNode& node) const { return node.below() + is_down(node.axis()); }
     HD_HOT int second(const KdNode& node) const { return node.above() - is_down(node.axis()); }
-
-  private:
-    // A choice of three, not v[axis]: for an index that is known at run time only, a GPU would put
-    // the vector into its slow local memory, and a CPU would wait for the axis where it can predict
-    // a branch.
-    HD_HOT static double along(const DVec3& v, int axis) {
-        return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-    }
 };
 
 // The part of a ray inside a cell.
@@ -60,7 +52,7 @@ struct KdInterval {
 HD_HOT KdInterval inside(const Bounds& box, const KdRay& ray) {
     KdInterval part{0, infinity};
     for (int axis = 0; axis < 3; ++axis) {
-        const float low = box.low[axis], high = box.high[axis];
+        const float low = along(box.low, axis), high = along(box.high, axis);
         const double enter = ray.t_at(axis, ray.is_down(axis) ? high : low);
         const double leave = ray.t_at(axis, ray.is_down(axis) ? low : high);
         if (enter > part.begin) part.begin = enter;

@@ -8,6 +8,7 @@
 
 #include "common/geometry/ray.h"
 #include "common/geometry/shapes.h"
+#include "common/math/along.h"
 
 #include <cstdint>
 
@@ -39,9 +40,6 @@ struct GlanceRay {
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        // A choice of three, not v[k]: for an index that is known at run time only, a GPU would put
-        // the ray into its slow local memory.
-        const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
         ox = along(ray.o, kx), oy = along(ray.o, ky), oz = along(ray.o, kz);
         inv_dz = along(inv_d, kz);
         sx = along(ray.d, kx) * inv_dz;

@@ -92,26 +92,29 @@ struct WideRay {
     bool parallel[3]; // d = 0: the ray is always between the two faces, or never
     bool any_parallel;
 
-    HD_HOT WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : inv_d(inverse), o(ray.o) {
+    HD_HOT WideRay(const Ray& ray, Vec3 inverse, Vec3 extent) : o(ray.o) {
         const Vec3 size = abs(ray.o) + extent;
         any_parallel = false;
+        float inv[3], near[3], far[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const float d = ray.d[axis];
+            const float d = along(ray.d, axis), o = along(ray.o, axis);
             parallel[axis] = d == 0;
             any_parallel |= parallel[axis];
             // The ray is so slow on this axis that the axis is not used to bound t. Else the
             // products below might not be finite.
             const bool unbounded = fabsf(d) < 0x1p-40f;
-            float& inv = inv_d[axis];
-            if (unbounded) inv = 0;
-            negative[axis] = inv < 0;
+            inv[axis] = unbounded ? 0.0f : along(inverse, axis);
+            negative[axis] = inv[axis] < 0;
             // No number in t is larger than size / |d|, and each of its seven roundings is less
             // than u of that. So near faces are moved towards the ray's origin by this, far ones
             // away.
-            const float room = 8 * unit_roundoff * size[axis] * fabsf(inv);
-            near_shift[axis] = ray.o[axis] * inv + room;
-            far_shift[axis] = unbounded ? -infinity : ray.o[axis] * inv - room;
+            const float room = 8 * unit_roundoff * along(size, axis) * fabsf(inv[axis]);
+            near[axis] = o * inv[axis] + room;
+            far[axis] = unbounded ? -infinity : o * inv[axis] - room;
         }
+        inv_d = {inv[0], inv[1], inv[2]};
+        near_shift = {near[0], near[1], near[2]};
+        far_shift = {far[0], far[1], far[2]};
     }
 };
 
