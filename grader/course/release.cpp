@@ -98,15 +98,38 @@ struct Given {
     bool stays = false;
 };
 
-Given without_answers(const LabSheet& sheet, const std::string& file,
+// What the lab and those after it withhold.
+struct Withheld {
+    std::vector<std::string> files, numbers; // the labs' numbers
+};
+
+Withheld withheld_from(const LabSheet& sheet) {
+    Withheld withheld;
+    for (const std::string& folder : lab_folders(sheet.root)) {
+        const LabSheet lab = read_lab_sheet(sheet.root, folder);
+        if (lab.number < sheet.number) continue;
+        withheld.numbers.push_back(lab.number);
+        for (const std::string& file : lab.withhold) {
+            if (!fs::is_regular_file(sheet.root / file))
+                throw CourseError(
+                    fmt::format("labs/{}/lab.json: \"withhold\" names {}, which is not "
+                                "there: correct the name",
+                                folder, file));
+            withheld.files.push_back(file);
+        }
+    }
+    return withheld;
+}
+
+Given without_answers(const LabSheet& sheet, const Withheld& withheld, const std::string& file,
                       std::set<std::string>& lines) {
     const MarkedSource source = parse_markers(read_file((sheet.root / file).string()), file);
-    const bool listed = contains(sheet.withhold, file);
+    const bool listed = contains(withheld.files, file);
     bool has_region = false;
     for (const Region* region : source.regions()) {
         if (region->kind != Region::Kind::withhold)
             throw CourseError(fmt::format("{}:{}: only a lab has tasks", file, region->line));
-        if (region->id != sheet.number) continue;
+        if (!contains(withheld.numbers, region->id)) continue;
         has_region = true;
         collect(lines, *region);
         if (!listed)
@@ -115,7 +138,8 @@ Given without_answers(const LabSheet& sheet, const std::string& file,
                                           file, region->line, sheet.folder));
     }
     if (listed && !has_region) return {"", true};
-    return {student_source(source, [&](const Region& r) { return r.id == sheet.number; })};
+    return {
+        student_source(source, [&](const Region& r) { return contains(withheld.numbers, r.id); })};
 }
 
 } // namespace
@@ -135,16 +159,12 @@ std::string squeezed(const std::string& line) {
 ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
     const LabSheet& sheet = lab.sheet;
     ReleasedTree tree;
-    for (const std::string& file : sheet.withhold)
-        if (!fs::is_regular_file(sheet.root / file))
-            throw CourseError(fmt::format("labs/{}/lab.json: \"withhold\" names {}, which is not "
-                                          "there: correct the name",
-                                          sheet.folder, file));
+    const Withheld withheld = withheld_from(sheet);
     for (const fs::path& file : given_files(sheet.root)) {
         const std::string ending = file.extension().string();
         Given out;
-        if (ending == ".h" || ending == ".cpp")
-            out = without_answers(sheet, file.string(), tree.solution_lines);
+        if (ending == ".h" || ending == ".cpp" || ending == ".cu")
+            out = without_answers(sheet, withheld, file.string(), tree.solution_lines);
         else
             out.text = read_file((sheet.root / file).string());
         if (out.stays) continue;

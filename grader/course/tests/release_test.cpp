@@ -60,6 +60,32 @@ TEST_F(Release, ALineOfASolutionIsFoundWhereverItStandsAndHoweverItIsSpaced) {
     EXPECT_EQ(found[1], "scenes/README.md:1: int one = first_factor * second_factor;");
 }
 
+// Students of lab 07 are yet to write lab 08; those of lab 09 have done so.
+TEST_F(Release, WhatALaterLabWithholdsStaysBehindToo) {
+    write("common/kernel.cu", "__global__ void the_answer_of_another_lab();\n");
+    const auto other = [&](const std::string& number) {
+        std::string text = sheet;
+        for (std::size_t at; (at = text.find("07_tiny")) != text.npos;)
+            text.replace(at, 7, number + "_other");
+        for (std::size_t at; (at = text.find("\"07\"")) != text.npos;)
+            text.replace(at, 4, "\"" + number + "\"");
+        for (std::size_t at; (at = text.find("\"7.")) != text.npos;)
+            text.replace(at, 3, "\"" + std::to_string(std::stoi(number)) + ".");
+        text.insert(text.find("\"tasks\":"), R"("withhold": ["common/kernel.cu"],)");
+        write("labs/" + number + "_other/lab.json", text);
+        write("labs/" + number + "_other/a.cpp", source);
+        write("labs/" + number + "_other/tests/a_test.cpp", "// public\n");
+    };
+    other("06");
+    release();
+    EXPECT_TRUE(has("common/kernel.cu"));
+    std::filesystem::remove_all(root / "out");
+    other("08");
+    release();
+    EXPECT_FALSE(has("common/kernel.cu"));
+    EXPECT_TRUE(has("common/given.h"));
+}
+
 TEST_F(Release, WithheldFilesAndTheListAgree) {
     write_sheet(R"("withhold": ["common/whole.h"],)");
     try {
