@@ -68,7 +68,7 @@ TEST_F(BenchCli, WritesTableCsvJsonAndPage) {
     EXPECT_EQ(lab["ms_per_spp"]["rounds"].size(), 5u);
     EXPECT_GT(lab["rays_per_second"], 0);
     EXPECT_GT(lab["bytes_per_path"], 56); // the film alone
-    EXPECT_EQ(lab["bounces"][0]["rays"], 1);
+    EXPECT_EQ(lab["bounces"][0]["paths_share"], 1);
 
     const Outcome again =
         raylab(bench("--peers none --labs 01,02 --against ") + in("out/bench.json"));

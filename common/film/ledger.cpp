@@ -96,7 +96,7 @@ std::string to_json(const Ledger& ledger) {
         }
         row["out"] = bounce.rays - ended;
         row["lanes"] = bounce.lanes;
-        row["lanes_alive"] = lanes_alive(bounce);
+        row["lanes_share"] = lanes_alive(bounce);
         if (bounce.blocks > 0) {
             row["blocks"] = bounce.blocks;
             row["batches"] = bounce.batches;

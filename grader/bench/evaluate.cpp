@@ -206,7 +206,7 @@ void copy_ledger(Row& row, const Turns& turns) {
     for (const BounceCounts& bounce : ledger.bounces) {
         if (bounce.rays == 0) break;
         BouncePoint point{double(bounce.rays) / double(ledger.bounces[0].rays), {}};
-        if (bounce.lanes > 0) point.lanes = lanes_alive(bounce);
+        if (bounce.lanes > 0) point.lanes_share = lanes_alive(bounce);
         row.bounces.push_back(point);
     }
 }

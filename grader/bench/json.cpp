@@ -45,7 +45,8 @@ ordered_json to_json(const Row& row) {
     json["bounces"] = ordered_json::array();
     for (const BouncePoint& p : row.bounces)
         json["bounces"].push_back(
-            {{"rays", p.rays}, {"lanes", p.lanes ? number(*p.lanes) : ordered_json(nullptr)}});
+            {{"paths_share", p.paths_share},
+             {"lanes_share", p.lanes_share ? number(*p.lanes_share) : ordered_json(nullptr)}});
     return json;
 }
 

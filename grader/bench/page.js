@@ -107,21 +107,21 @@ function plotBounces(figure, scene) {
     for (let b = 0; b < longest; b += every)
         add(svg, "text", { x: box.left + (b + 0.5) * column, y: box.bottom + 18, "text-anchor": "middle" }, b);
     add(svg, "text", { x: box.right, y: box.bottom + 36, "text-anchor": "end" }, "bounce (0: from the camera)");
-    const with_lanes = drawn.filter(row => row.bounces.some(b => b.lanes !== null));
+    const with_lanes = drawn.filter(row => row.bounces.some(b => b.lanes_share !== null));
     const bar = Math.min(44, 0.66 * column / Math.max(1, with_lanes.length));
     with_lanes.forEach((row, k) => row.bounces.slice(0, longest).forEach((bounce, b) => {
-        if (bounce.lanes === null) return;
+        if (bounce.lanes_share === null) return;
         const x = box.left + (b + 0.5) * column + (k - with_lanes.length / 2) * bar;
-        add(add(svg, "rect", { class: `lane ${colour(row.i)}`, x: x + 1, y: y(bounce.lanes), width: Math.max(1, bar - 2),
-                               height: box.bottom - y(bounce.lanes) }),
-            "title", {}, `${row.name}, bounce ${b}: ${(100 * bounce.lanes).toFixed(1)} % of lanes at work`);
-        if (bar > 30 && bounce.lanes > 0.15) add(svg, "text", { x: x + bar / 2, y: box.bottom - 7, "text-anchor": "middle" }, Math.round(100 * bounce.lanes));
+        add(add(svg, "rect", { class: `lane ${colour(row.i)}`, x: x + 1, y: y(bounce.lanes_share), width: Math.max(1, bar - 2),
+                               height: box.bottom - y(bounce.lanes_share) }),
+            "title", {}, `${row.name}, bounce ${b}: ${(100 * bounce.lanes_share).toFixed(1)} % of lanes at work`);
+        if (bar > 30 && bounce.lanes_share > 0.15) add(svg, "text", { x: x + bar / 2, y: box.bottom - 7, "text-anchor": "middle" }, Math.round(100 * bounce.lanes_share));
     }));
     const labels = drawn.map(row => {
-        const points = row.bounces.slice(0, longest).map((p, b) => [box.left + (b + 0.5) * column, y(p.rays)]);
+        const points = row.bounces.slice(0, longest).map((p, b) => [box.left + (b + 0.5) * column, y(p.paths_share)]);
         add(svg, "polyline", { class: `line stroke ${colour(row.i)}`, points: points.join(" ") });
         points.forEach(([px, py], b) => add(add(svg, "circle", { class: `fill ${colour(row.i)}`, cx: px, cy: py, r: 3.5 }),
-            "title", {}, `${row.name}, bounce ${b}: ${(100 * row.bounces[b].rays).toFixed(1)} % of paths alive`));
+            "title", {}, `${row.name}, bounce ${b}: ${(100 * row.bounces[b].paths_share).toFixed(1)} % of paths alive`));
         return { y: points[points.length - 1][1], c: colour(row.i), text: row.name };
     });
     for (const label of spread(labels, 16, box.top + 8, box.bottom))

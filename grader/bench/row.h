@@ -12,8 +12,9 @@
 namespace raylab::bench {
 
 struct BouncePoint {
-    double rays;                 // of a path that began, how many were alive here, 0 to 1
-    std::optional<double> lanes; // share of a GPU's lanes at work; nothing where none are counted
+    double paths_share; // of the paths that began, those alive here, 0 to 1
+    std::optional<double>
+        lanes_share; // share of a GPU's lanes at work; nothing where none are counted
 };
 
 struct ErrorPoint {

@@ -32,7 +32,7 @@ nlohmann::json report_json(const Report& report) {
                            {"seconds", e.seconds},
                            {"facts", facts},
                            {"metrics", metrics},
-                           {"lanes_alive", e.lanes_alive},
+                           {"lanes_share", e.lanes_alive},
                            {"details", e.details}});
     }
     const bool passed = std::all_of(report.entries.begin(), report.entries.end(),

@@ -244,7 +244,7 @@ def lanes(raylab):
               ("cornell", (), -2), ("cornell_spheres", (), -8), ("whitted", (), 0)]
     for (name, options, dy), colour in zip(curves, COLOURS):
         bounces = raylab.ledger(name.split(",")[0], "--spp", 4, *options)["bounces"]
-        points = [(b, row["lanes_alive"]) for b, row in enumerate(bounces[:10]) if row["rays"]]
+        points = [(b, row["lanes_share"]) for b, row in enumerate(bounces[:10]) if row["rays"]]
         plot.curve(points, name, colour, dy=dy)
     plot.save(LAB02 / "lanes.svg")
 

@@ -175,7 +175,7 @@ TEST(Report, BothFilesAreWrittenAndResultsHoldTheFacts) {
     EXPECT_EQ(json["entries"].size(), 2u);
     EXPECT_EQ(json["entries"][1]["verdict"]["sentence"], "The image is too dark by 20 %.");
     EXPECT_NEAR(json["entries"][1]["metrics"]["relative_error_of_mean"].get<double>(), -0.2, 0.01);
-    EXPECT_EQ(json["entries"][0]["lanes_alive"][2], 0.58);
+    EXPECT_EQ(json["entries"][0]["lanes_share"][2], 0.58);
     EXPECT_TRUE(fs::exists(name + "/deep/er/report.html"));
     // For looking at: RAYLAB_KEEP_REPORT=FOLDER.
     if (const char* keep = std::getenv("RAYLAB_KEEP_REPORT")) write_report(some_report(), keep);
