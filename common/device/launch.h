@@ -13,9 +13,17 @@
 
 namespace raylab {
 
-// Blocks of `block` threads that cover n threads; the last may overhang.
-constexpr int blocks_for(std::int64_t n, int block) {
-    return static_cast<int>((n + block - 1) / block);
+// Parts of `size` that cover n things; the last may overhang.
+constexpr int parts_for(std::int64_t n, int size) {
+    return static_cast<int>((n + size - 1) / size);
+}
+
+// CUDA blocks of `block` threads for n threads, and the warps and lanes that these are.
+constexpr int blocks_for(std::int64_t n, int block) { return parts_for(n, block); }
+constexpr int warp_lanes = 32;
+constexpr int warps_for(std::int64_t n) { return parts_for(n, warp_lanes); }
+constexpr std::uint64_t lanes_for(std::int64_t n) {
+    return static_cast<std::uint64_t>(warps_for(n)) * warp_lanes;
 }
 
 // Sets the CPU machine's worker threads and thread order. Nothing to do on a GPU.

@@ -95,7 +95,7 @@ class IterativeRenderer final : public Renderer {
             //]
         });
         check(cudaGetLastError(), "trace_kernel launch");
-        const int warps = blocks_for(pixels_, warp_lanes);
+        const int warps = warps_for(pixels_);
         count_wasted_cycles<<<blocks_for(warps, block), block>>>(
             records_.data(), pixels_, max_bounces_, tallies_.data(), shadow_rays_.data());
         check(cudaGetLastError(), "count_wasted_cycles launch");
@@ -137,7 +137,7 @@ Ledger IterativeRenderer::ledger() const {
     ledger.samples = static_cast<int>(samples_);
     ledger.seconds = seconds_;
     const int block = machine_.block_size;
-    const std::uint64_t warps = blocks_for(pixels_, warp_lanes);
+    const std::uint64_t warps = warps_for(pixels_);
     ledger.threads_launched =
         std::uint64_t{samples_} * block * (blocks_for(pixels_, block) + blocks_for(warps, block));
 

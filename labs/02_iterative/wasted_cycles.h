@@ -5,13 +5,11 @@
 // warp reads the 32 records of that warp and adds them up, bounce by bounce.
 #pragma once
 
+#include "common/device/launch.h"
 #include "common/film/ledger.h"
-#include "common/simt/cuda.h"
 #include "common/task/not_implemented.h"
 
 namespace raylab::lab02 {
-
-constexpr int warp_lanes = 32;
 
 // What a shard counts about one bounce. Sums over the bounces that follow are left to the host.
 struct BounceTally {

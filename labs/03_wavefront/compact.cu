@@ -3,7 +3,7 @@
 
 #include "common/device/launch.h"
 #include "common/task/not_implemented.h"
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/grid.h"
 
 #include <stdexcept>
 #include <string>
@@ -55,10 +55,10 @@ __global__ void scatter_split(const int* slots, int n, const std::uint32_t* flag
 // One thread a warp of the list.
 __global__ void count_alive_kernel(const std::uint8_t* alive, const int* live, int n,
                                    Counters* counters) {
-    const std::int64_t first = global_index() * 32;
+    const std::int64_t first = global_index() * warp_lanes;
     if (first >= n) return;
     int sum = 0;
-    for (std::int64_t i = first; i < first + 32 && i < n; ++i) sum += alive[live[i]];
+    for (std::int64_t i = first; i < first + warp_lanes && i < n; ++i) sum += alive[live[i]];
     if (sum == 0) return;
     atomicAdd(&counters->alive, sum);
     atomicAdd(&counters->busy_warps, 1);
@@ -129,7 +129,7 @@ void Compaction::split_by_bit(const std::uint8_t* key, int bit, const int* slots
 
 void Compaction::count_alive(const std::uint8_t* alive, const int* live, int n,
                              Counters* counters) {
-    const int warps = blocks_for(n, 32);
+    const int warps = warps_for(n);
     count_alive_kernel<<<blocks_for(warps, block_), block_>>>(alive, live, n, counters);
     check(cudaGetLastError(), "count_alive_kernel");
 }

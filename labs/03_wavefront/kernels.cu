@@ -6,11 +6,14 @@
 
 #include "common/scene/variants.h"
 #include "common/task/not_implemented.h"
-#include "labs/03_wavefront/generate.h"
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/generate.h"
+#include "common/wavefront/grid.h"
+#include "common/wavefront/record_end.h"
+#include "labs/03_wavefront/accumulate.h"
 #include "labs/03_wavefront/shade.h"
 #include "labs/03_wavefront/shade_whitted.h"
 #include "labs/03_wavefront/shared_geometry.h"
+#include "labs/03_wavefront/shuffle.h"
 #include "labs/03_wavefront/trace.h"
 
 namespace raylab::lab03 {
@@ -19,7 +22,7 @@ namespace {
 
 // Intersects one path and queues what it hit.
 template <Features F, Integrator I>
-__device__ void intersect_slot(const Wave& wave, const SceneView& scene, int slot) {
+__device__ void intersect_slot(const WavefrontView& wave, const SceneView& scene, int slot) {
     const PoolView& pool = wave.pool;
     if (!pool.alive[slot]) return;
     intersect_path<F, I>(wave, scene, slot);
@@ -29,14 +32,14 @@ __device__ void intersect_slot(const Wave& wave, const SceneView& scene, int slo
 }
 
 template <Features F, Integrator I>
-__global__ void intersect_kernel(const Wave* wave, const int* live, int n) {
+__global__ void intersect_kernel(const WavefrontView* wave, const int* live, int n) {
     const std::int64_t i = global_index();
     if (i < n) intersect_slot<F, I>(*wave, wave->scene, live[i]);
 }
 
 // Threads without a slot copy geometry too, and may not leave before the barrier.
 template <Features F, Integrator I>
-__global__ void intersect_shared_kernel(const Wave* wave, const int* live, int n) {
+__global__ void intersect_shared_kernel(const WavefrontView* wave, const int* live, int n) {
     extern __shared__ float4 memory[];
     const SceneView scene = geometry_in_shared_memory<F>(wave->scene, memory);
     __syncthreads();
@@ -45,13 +48,13 @@ __global__ void intersect_shared_kernel(const Wave* wave, const int* live, int n
 }
 
 template <Features F>
-__global__ void shadow_kernel(const Wave* wave, const int* shadow_rays, int n) {
+__global__ void shadow_kernel(const WavefrontView* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
     if (i < n) shadow_path<F>(*wave, wave->scene, shadow_rays[i]);
 }
 
 template <Features F>
-__global__ void shadow_shared_kernel(const Wave* wave, const int* shadow_rays, int n) {
+__global__ void shadow_shared_kernel(const WavefrontView* wave, const int* shadow_rays, int n) {
     extern __shared__ float4 memory[];
     const SceneView scene = geometry_in_shared_memory<F>(wave->scene, memory);
     __syncthreads();
@@ -60,7 +63,7 @@ __global__ void shadow_shared_kernel(const Wave* wave, const int* shadow_rays, i
 }
 
 template <Features F, Integrator I>
-__global__ void shade_kernel(const Wave* wave, const int* slots, int n) {
+__global__ void shade_kernel(const WavefrontView* wave, const int* slots, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = slots[i];
@@ -71,42 +74,28 @@ __global__ void shade_kernel(const Wave* wave, const int* slots, int n) {
         push(wave->queues.shadow_rays, wave->queues.counters->shadow_rays, slot);
 }
 
-__device__ void count_end(const Results& results, const PathRecord& record) {
-    const int shard = static_cast<int>(blockIdx.x % shards);
-    const int length = record.length < results.bounces ? record.length : results.bounces;
-    if (length == 0) return; // never traced
-    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
-    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
-    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
-}
-
-// In the order of MaterialKind.
-constexpr Features kind_features[material_kinds] = {feature::diffuse,   feature::mirror,
-                                                    feature::glass,     feature::phong,
-                                                    feature::conductor, feature::rough_dielectric};
-
 constexpr Features any_material = feature::diffuse | feature::mirror | feature::glass |
                                   feature::phong | feature::conductor | feature::rough_dielectric;
 
-// The shading kernel for a kind of material: F without the others.
-template <Features F, Integrator I, int Kind> StageKernel* kernel_for_kind() {
-    constexpr Features alone = F & (~any_material | kind_features[Kind]);
-    if constexpr ((F & kind_features[Kind]) == 0)
+// The shading kernel for one kind of material, F without the others; null if F lacks it.
+template <Features F, Integrator I, Features Kind> StageKernel* shade_alone() {
+    if constexpr ((F & Kind) == 0)
         return nullptr;
     else
-        return shade_kernel<alone, I>;
+        return shade_kernel<F&(~any_material | Kind), I>;
 }
 
 template <Features F, Integrator I> StageKernels kernels_of(bool shared_geometry) {
-    StageKernels kernels{};
-    kernels.intersect = shared_geometry ? intersect_shared_kernel<F, I> : intersect_kernel<F, I>;
-    kernels.shadow = shared_geometry ? shadow_shared_kernel<F> : shadow_kernel<F>;
-    kernels.shade = shade_kernel<F, I>;
-    [&]<int... Kind>(std::integer_sequence<int, Kind...>) {
-        ((kernels.shade_kind[Kind] = kernel_for_kind<F, I, Kind>()), ...);
-    }
-    (std::make_integer_sequence<int, material_kinds>{});
-    return kernels;
+    return {
+        .intersect = shared_geometry ? intersect_shared_kernel<F, I> : intersect_kernel<F, I>,
+        .shadow = shared_geometry ? shadow_shared_kernel<F> : shadow_kernel<F>,
+        .shade = shade_kernel<F, I>,
+        // In the order of MaterialKind.
+        .shade_kind = {shade_alone<F, I, feature::diffuse>(), shade_alone<F, I, feature::mirror>(),
+                       shade_alone<F, I, feature::glass>(), shade_alone<F, I, feature::phong>(),
+                       shade_alone<F, I, feature::conductor>(),
+                       shade_alone<F, I, feature::rough_dielectric>()},
+    };
 }
 
 } // namespace
@@ -118,7 +107,7 @@ StageKernels choose_kernels(Features features, Integrator integrator, bool share
     });
 }
 
-__global__ void generate_kernel(const Wave* wave, int first, int n, int dealt,
+__global__ void generate_kernel(const WavefrontView* wave, int first, int n, int dealt,
                                 std::uint32_t shuffle, int* live) {
     // Steps:
     // 1. Find the number i of this thread in the grid. A thread from n on has nothing to do.
@@ -134,24 +123,22 @@ __global__ void generate_kernel(const Wave* wave, int first, int n, int dealt,
     //]
 }
 
-__global__ void regenerate_kernel(const Wave* wave, const int* live, int n, int* next, int pixels,
-                                  std::uint32_t shuffle, Results results) {
+__global__ void regenerate_kernel(const WavefrontView* wave, const int* live, int n, int* next,
+                                  int pixels, std::uint32_t shuffle, Results results) {
     const std::int64_t i = global_index();
     if (i >= n || wave->pool.alive[live[i]]) return;
     const int slot = live[i];
-    accumulate_path(*wave, slot, results);
-    keep_record(*wave, slot, results);
-    count_end(results, wave->pool.record[slot]);
+    accumulate_path(wave->pool, slot, results);
+    record_end(wave->pool, slot, results);
     const int pixel = atomicAdd(next, 1);
     if (pixel < pixels) generate_path(*wave, slot, shuffled(pixel, pixels, shuffle));
 }
 
-__global__ void accumulate_kernel(const Wave* wave, int n, Results results) {
+__global__ void accumulate_kernel(const WavefrontView* wave, int n, Results results) {
     const std::int64_t i = global_index();
     if (i >= n) return;
-    accumulate_path(*wave, static_cast<int>(i), results);
-    keep_record(*wave, static_cast<int>(i), results);
-    count_end(results, wave->pool.record[i]);
+    accumulate_path(wave->pool, static_cast<int>(i), results);
+    record_end(wave->pool, static_cast<int>(i), results);
 }
 
 } // namespace raylab::lab03

@@ -4,15 +4,7 @@
 #include "labs/03_wavefront/compact.h"
 #include "labs/03_wavefront/pool.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace raylab::lab03 {
-
-int branches_of(const RenderSettings& settings) {
-    return settings.integrator == Integrator::whitted ? std::max(1, settings.max_depth - 1) : 0;
-}
 
 std::array<bool, material_kinds> kinds_in(const Scene& scene) {
     std::array<bool, material_kinds> present{};
@@ -26,32 +18,15 @@ std::size_t slot_bytes(const Scene& scene, const WavefrontSettings& settings, st
     if (settings.sort == MaterialSort::queues)
         for (const bool present : kinds_in(scene)) lists += present;
     const std::size_t words = (Compaction::words(settings.scan, n) + n - 1) / n;
-    return path_bytes + branch_bytes(branches_of(scene.render)) + 4 * (lists + words);
+    return PoolView(branches_of(scene.render)).bytes_per_slot + 4 * (lists + words);
 }
 
 MemoryNeeds memory_needs(const Scene& scene, const WavefrontSettings& settings, std::int64_t n,
                          bool records) {
-    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
-    const std::size_t record = records ? sizeof(PathRecord) : 0;
     const std::size_t cache = settings.first_bounce_cache ? sizeof(Hit) : 0;
-    return {scene_bytes(scene), pixels * (sizeof(FilmPixel) + record + cache),
-            slot_bytes(scene, settings, n)};
-}
-
-int pool_that_fits(std::int64_t budget, const MemoryNeeds& needs, int wanted) {
-    constexpr int least = 32; // a warp: below that, threads idle from the start
-    const auto mib = [](double bytes) { return bytes / (1 << 20); };
-    const std::int64_t fixed = static_cast<std::int64_t>(needs.scene_bytes + needs.film_bytes);
-    const std::int64_t slots = (budget - fixed) / static_cast<std::int64_t>(needs.slot_bytes);
-    const int enough = std::min(wanted, least);
-    if (budget < fixed || slots < enough)
-        throw SettingsError(fmt::format(
-            "the scene takes {:.2f} MiB, the film {:.2f} MiB and a pool of {} paths, the least, "
-            "{:.2f} MiB at {} bytes a path: more than the {:.2f} MiB there are. Choose a larger "
-            "--memory-budget or a smaller image.",
-            mib(needs.scene_bytes), mib(needs.film_bytes), enough, mib(enough * needs.slot_bytes),
-            needs.slot_bytes, mib(budget)));
-    return static_cast<int>(std::min<std::int64_t>(wanted, slots));
+    return {.scene_bytes = scene_bytes(scene),
+            .film_bytes = film_bytes(scene, records, cache),
+            .slot_bytes = slot_bytes(scene, settings, n)};
 }
 
 } // namespace raylab::lab03

@@ -59,16 +59,17 @@ class WavefrontRenderer final : public Renderer {
   private:
     // The lecture's five steps, for the pixels first ... first + n - 1.
     void trace_batch(int first, int n) {
-        Wavefront& wave = wavefront_;
-        wave.generate(first, n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
-        for (int bounce = 0; wave.alive() > 0 && bounce < wave.most_bounces(); ++bounce) {
-            wave.intersect(bounce); // 3. ONE bounce of every ray,
-            wave.sort_by_material();
-            wave.shade();
-            wave.shadow();             //    and the next rays recorded in the pool.
-            wave.remove_ended(bounce); // 4. Terminated rays leave the pool.
-        }                              // 5. Repeat.
-        wave.accumulate(n);
+        wavefront_.generate(first,
+                            n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
+        for (int bounce = 0; wavefront_.alive() > 0 && bounce < wavefront_.most_bounces();
+             ++bounce) {
+            wavefront_.intersect(bounce); // 3. ONE bounce of every ray,
+            wavefront_.sort_by_material();
+            wavefront_.shade();
+            wavefront_.shadow();             //    and the next rays recorded in the pool.
+            wavefront_.remove_ended(bounce); // 4. Terminated rays leave the pool.
+        }                                    // 5. Repeat.
+        wavefront_.accumulate(n);
     }
 
     // The same with *persistent paths*: a path that ends makes room for the next pixel's at once,
@@ -76,14 +77,13 @@ class WavefrontRenderer final : public Renderer {
     // all bounces share a launch. Aila and Laine, Understanding the Efficiency of Ray Traversal on
     // GPUs, HPG 2009, section 3.3; Novak, Havran and Dachsbacher, Path Regeneration, 2010.
     void trace_all() {
-        Wavefront& wave = wavefront_;
-        wave.generate(0, pool_paths_);
-        while (wave.alive() > 0) {
-            wave.intersect(mixed_bounces);
-            wave.sort_by_material();
-            wave.shade();
-            wave.shadow();
-            wave.regenerate();
+        wavefront_.generate(0, pool_paths_);
+        while (wavefront_.alive() > 0) {
+            wavefront_.intersect(mixed_bounces);
+            wavefront_.sort_by_material();
+            wavefront_.shade();
+            wavefront_.shadow();
+            wavefront_.regenerate();
         }
     }
 
@@ -99,10 +99,9 @@ class WavefrontRenderer final : public Renderer {
 
 // The scene's copy in device memory counts, and the pool that there is room for.
 MemoryUse memory_use(const Scene& scene, const MachineSettings& machine) {
-    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
-    const std::int64_t paths = std::min<std::int64_t>(machine.wavefront.pool, pixels);
+    const int paths = wanted_paths(scene, machine.wavefront);
     const MemoryNeeds needs = memory_needs(scene, machine.wavefront, paths, machine.records);
-    return {needs.film_bytes / pixels, needs.scene_bytes + paths * needs.slot_bytes};
+    return raylab::memory_use(scene, needs, paths);
 }
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine) {
@@ -118,15 +117,10 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
         if (const auto why_not = no_first_bounce_cache(scene))
             throw SettingsError("a first-bounce cache would be wrong here: " + *why_not);
 
-    cudaDeviceProp device{};
-    check(cudaGetDeviceProperties(&device, 0), "cudaGetDeviceProperties");
-    const std::int64_t budget = settings.memory_budget > 0
-                                    ? settings.memory_budget
-                                    : static_cast<std::int64_t>(device.totalGlobalMem);
-    const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
-    return std::make_unique<WavefrontRenderer>(
-        scene, machine,
-        pool_that_fits(budget, memory_needs(scene, settings, wanted, machine.records), wanted));
+    const int wanted = wanted_paths(scene, settings);
+    const MemoryNeeds needs = memory_needs(scene, settings, wanted, machine.records);
+    return std::make_unique<WavefrontRenderer>(scene, machine,
+                                               pool_on_device(settings, needs, wanted));
 }
 
 } // namespace raylab::lab03

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "common/render/wavefront_settings.h"
+#include "common/wavefront/scan_library.h"
 
 #include <cstdint>
 
@@ -23,13 +24,12 @@ ScanFunction scan_serial;    // one thread: what the others must beat
 ScanFunction scan_naive;     // Hillis and Steele: log n launches, n log n additions
 ScanFunction scan_efficient; // Blelloch: up and down a tree in shared memory, n additions
 ScanFunction scan_warp;      // shuffles within warps
-ScanFunction scan_library;   // CUB on a GPU, the standard library on the CPU machine
+using raylab::scan_library;  // CUB on a GPU, the standard library on the CPU machine
 ScanFunction scan_lookback;  // Merrill and Garland: one pass, each number read and written once
 
 // By name, and the numbers of workspace that it needs for up to n elements.
 ScanFunction* scan_function(ScanKind kind);
 std::int64_t scan_workspace(ScanKind kind, std::int64_t n);
-std::int64_t scan_library_workspace(std::int64_t n);
 std::int64_t scan_lookback_workspace(std::int64_t n);
 
 } // namespace raylab::lab03

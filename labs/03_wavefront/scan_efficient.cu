@@ -6,7 +6,7 @@
 // the right one. Both ways cost n - 1 additions, not n log n.
 #include "common/device/device_array.h"
 #include "common/task/not_implemented.h"
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/grid.h"
 #include "labs/03_wavefront/scan_tiles.h"
 
 namespace raylab::lab03 {

@@ -7,7 +7,7 @@
 // written is chance. Hence two buffers, and each round reads one and writes the other.
 #include "common/device/launch.h"
 #include "common/task/not_implemented.h"
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/grid.h"
 #include "labs/03_wavefront/scan.h"
 
 #include <utility>

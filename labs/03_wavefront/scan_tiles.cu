@@ -1,5 +1,5 @@
 // Launching a scan tile by tile; see scan_tiles.h.
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/grid.h"
 #include "labs/03_wavefront/scan_tiles.h"
 
 #include "common/device/device_array.h"

@@ -3,7 +3,7 @@
 // Three levels: each thread adds up its neighbours, each warp scans its threads' sums in registers,
 // and the first warp scans the warps' sums. Two barriers a tile instead of sixteen.
 #include "common/device/device_array.h"
-#include "labs/03_wavefront/grid.h"
+#include "common/wavefront/grid.h"
 #include "labs/03_wavefront/scan_tiles.h"
 #include "labs/03_wavefront/warp_scan.h"
 

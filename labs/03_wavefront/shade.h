@@ -9,27 +9,20 @@
 #include "common/task/not_implemented.h"
 #include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
-#include "labs/03_wavefront/wave.h"
+#include "common/wavefront/generate.h"
+#include "common/wavefront/roulette.h"
+#include "labs/03_wavefront/wavefront_view.h"
 
 namespace raylab::lab03 {
 
-// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q,
-// and survivors count 1/q, so the mean stays.
-HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
-    if (bounce < 1) return true;
-    const float q = glm::min(1.0f, 2.5f * max_component(throughput));
-    if (u >= q) return false;
-    throughput /= q;
-    return true;
-}
-
 // Returns whether the slot has a shadow ray to be traced.
-template <Features F> HD bool shade_path(const Wave& wave, int slot) {
+template <Features F> HD bool shade_path(const WavefrontView& wave, int slot) {
     // Steps:
     // 1. Read ray, bounce and throughput; find surface, material, reflectance and wo.
     // 2. The throughput times what the surface emits joins the radiance.
     // 3. At the last surface the path ends by depth, without a shadow ray.
-    // 4. Ask for a shadow ray. One that is sent goes into the pool, its light times the throughput.
+    // 4. Ask for a shadow ray. One that is sent goes into the pool by send_shadow_ray(), its light
+    //    times the throughput.
     // 5. Choose a direction. Without a valid one the path is absorbed; roulette may end it, too.
     // 6. Else write what the next bounce reads: ray, throughput, density, bounce.
     // 7. Return whether there is a shadow ray.
@@ -37,9 +30,9 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     const SceneView& scene = wave.scene;
     const RenderSettings& settings = wave.settings;
     const PoolView& pool = wave.pool;
-    const Ray ray = {pool.origin[slot], pool.direction[slot]};
+    const Ray ray = ray_of(pool, slot);
     const int bounce = pool.bounce[slot];
-    const Vec3 throughput = pool.throughput[slot];
+    Vec3 throughput = pool.throughput[slot];
 
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Material& material = scene.materials[surface.material];
@@ -58,27 +51,21 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     const BounceNumbers u = sampler_of(wave, slot).get_bounce(bounce);
     const ShadowRay shadow_ray =
         shadow_ray_to_any<F>(scene, settings.direct_light, surface, reflectance, wo, u);
-    if (shadow_ray.sent) {
-        pool.shadow_ray_origin[slot] = shadow_ray.ray.o;
-        pool.shadow_ray_direction[slot] = shadow_ray.ray.d;
-        pool.shadow_ray_t_max[slot] = shadow_ray.ray.t_max;
-        pool.shadow_ray_light[slot] = throughput * shadow_ray.light;
-        record_shadow_ray(pool.record[slot]);
-    }
+    if (shadow_ray.sent) send_shadow_ray(pool, slot, shadow_ray.ray, throughput * shadow_ray.light);
 
     // A new direction, and the share of light that comes back from it.
     const BsdfSample scattered =
         sample_bsdf<F>(surface, material, reflectance, wo, u.lobe, u.direction);
-    Vec3 onward = throughput * scattered.weight;
+    throughput *= scattered.weight;
     if (!scattered.valid) {
         end_path(pool, slot, PathEnd::absorbed);
-    } else if (settings.roulette && !survives_roulette(onward, bounce, u.roulette)) {
+    } else if (settings.roulette && !survives_roulette(throughput, bounce, u.roulette)) {
         end_path(pool, slot, PathEnd::roulette);
     } else {
         const Ray next = spawn_ray(surface, scattered.wi);
         pool.origin[slot] = next.o;
         pool.direction[slot] = next.d;
-        pool.throughput[slot] = onward;
+        pool.throughput[slot] = throughput;
         pool.bsdf_pdf[slot] = scattered.specular ? delta_pdf : scattered.pdf;
         pool.bounce[slot] = bounce + 1;
     }

@@ -8,13 +8,15 @@
 #include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "common/transport/specular_split.h"
-#include "labs/03_wavefront/branches.h"
+#include "common/wavefront/branches.h"
+#include "common/wavefront/generate.h"
+#include "labs/03_wavefront/wavefront_view.h"
 
 namespace raylab::lab03 {
 
 template <Features F>
-HD Vec3 light_from_all(const Wave& wave, int slot, const SurfacePoint& surface, Vec3 reflectance,
-                       Vec3 wo) {
+HD Vec3 light_from_all(const WavefrontView& wave, int slot, const SurfacePoint& surface,
+                       Vec3 reflectance, Vec3 wo) {
     const SceneView& scene = wave.scene;
     const Sampler sampler = sampler_of(wave, slot);
     Vec3 sum(0);
@@ -26,7 +28,7 @@ HD Vec3 light_from_all(const Wave& wave, int slot, const SurfacePoint& surface, 
     return sum;
 }
 
-template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
+template <Features F> HD void shade_whitted(const WavefrontView& wave, int slot) {
     // Steps:
     // 1. Read ray, throughput and depth; find surface, material, reflectance and wo.
     // 2. The throughput times the emission joins the radiance. The last surface ends the branch.
@@ -36,7 +38,7 @@ template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
     //[ task 3.1
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;
-    const Ray ray = {pool.origin[slot], pool.direction[slot]};
+    const Ray ray = ray_of(pool, slot);
     const Vec3 throughput = pool.throughput[slot];
     const int depth = pool.bounce[slot];
 

@@ -4,31 +4,17 @@
 #pragma once
 
 #include "common/trace/intersect.h"
+#include "common/trace/material_at.h"
 #include "common/transport/emission.h"
-#include "labs/03_wavefront/branches.h"
+#include "common/wavefront/branches.h"
+#include "labs/03_wavefront/wavefront_view.h"
 
 namespace raylab::lab03 {
-
-HD Ray ray_of(const PoolView& pool, int slot) { return {pool.origin[slot], pool.direction[slot]}; }
-
-// The kind of material at the hit.
-template <Features F> HD MaterialKind kind_at(const SceneView& scene, const Hit& hit) {
-    int material = 0;
-    if constexpr (F & feature::sphere)
-        if (hit.shape == Shape::sphere) material = scene.spheres[hit.index].tags.material;
-    if constexpr (F & feature::quad)
-        if (hit.shape == Shape::quad) material = scene.quads[hit.index].tags.material;
-    if constexpr (F & feature::plane)
-        if (hit.shape == Shape::plane) material = scene.planes[hit.index].tags.material;
-    if constexpr (F & feature::triangle)
-        if (hit.shape == Shape::triangle) material = scene.triangles[hit.index].tags.material;
-    return scene.materials[material].kind;
-}
 
 // Finds what the slot's ray meets. A ray that leaves takes the sky's light along and ends its path,
 // or its branch of the tree. scene: wave.scene, perhaps with its shapes in faster memory.
 template <Features F, Integrator I>
-HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
+HD void intersect_path(const WavefrontView& wave, const SceneView& scene, int slot) {
     // Steps:
     // 1. Find what the slot's ray meets, with cached_hit(); its search is intersect<F>(scene, ray).
     // 2. Record the hit, and write it into the pool.
@@ -43,7 +29,7 @@ HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
     record_hit(pool.record[slot], hit.id);
     pool.hit[slot] = hit;
     if (hit.found()) {
-        pool.kind[slot] = static_cast<std::uint8_t>(kind_at<F>(scene, hit));
+        pool.kind[slot] = static_cast<std::uint8_t>(material_at<F>(scene, hit).kind);
         return;
     }
     pool.kind[slot] = no_kind;
@@ -62,15 +48,15 @@ HD void intersect_path(const Wave& wave, const SceneView& scene, int slot) {
 }
 
 // The shadow ray's light joins the path's if nothing is in its way.
-template <Features F> HD void shadow_path(const Wave& wave, const SceneView& scene, int slot) {
+template <Features F>
+HD void shadow_path(const WavefrontView& wave, const SceneView& scene, int slot) {
     // Steps:
-    // 1. Put the shadow ray together from the pool: origin, direction, t_max.
-    // 2. If nothing is in its way, its light joins the radiance.
+    // 1. Ask whether anything is in the way of shadow_ray_of(pool, slot).
+    // 2. If nothing is, its light joins the radiance.
     //[ task 3.1
     const PoolView& pool = wave.pool;
-    const Ray shadow_ray = {pool.shadow_ray_origin[slot], pool.shadow_ray_direction[slot],
-                            pool.shadow_ray_t_max[slot]};
-    if (!occluded<F>(scene, shadow_ray)) pool.radiance[slot] += pool.shadow_ray_light[slot];
+    if (!occluded<F>(scene, shadow_ray_of(pool, slot)))
+        pool.radiance[slot] += pool.shadow_ray_light[slot];
     //| not_implemented("3.1", "shadow_path()");
     //]
 }

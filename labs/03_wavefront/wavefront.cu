@@ -2,42 +2,26 @@
 #include "labs/03_wavefront/wavefront.h"
 
 #include "common/scene/scene_features.h"
+#include "common/wavefront/bounces.h"
 #include "labs/03_wavefront/launch_sizing.h"
 #include "labs/03_wavefront/memory_budget.h"
 #include "labs/03_wavefront/shared_geometry.h"
 
 namespace raylab::lab03 {
 
-namespace {
-
-constexpr int warp_lanes = 32;
-std::uint64_t lanes_for(int paths) {
-    return std::uint64_t{1} * blocks_for(paths, warp_lanes) * warp_lanes;
-}
-
-bool is_whitted(const Scene& scene) { return scene.render.integrator == Integrator::whitted; }
-
-// A path has a bounce for each surface, a tree one for each node.
-int bounces_of(const Scene& scene) {
-    return is_whitted(scene) ? 1 << scene.render.max_depth : scene.render.max_depth;
-}
-
-// What a tree does past these is counted in the last.
-constexpr int rows_of_a_tree = 64;
-
-} // namespace
-
 Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int pool_paths)
     : host_scene_(scene), machine_(machine), settings_(machine.wavefront), scene_(scene),
       kernels_(
           choose_kernels(features_of(scene), scene.render.integrator, settings_.shared_geometry)),
       geometry_bytes_(settings_.shared_geometry ? geometry_bytes(scene_.view()) : 0),
-      pixels_(scene.camera.width * scene.camera.height), most_bounces_(bounces_of(scene)),
+      pixels_(scene.camera.width * scene.camera.height),
+      most_bounces_(raylab::most_bounces(scene.render)),
       in_flight_(blocks_in_flight(kernels_.intersect, machine.block_size, geometry_bytes_)),
-      pool_(pool_paths, branches_of(scene.render)), wave_(1), live_(pool_paths), spare_(pool_paths),
-      compaction_(settings_.scan, pool_paths, machine.block_size), shadow_rays_(pool_paths),
-      counters_(1), next_pixel_(1), first_hits_(settings_.first_bounce_cache ? pixels_ : 0),
-      results_(pixels_, is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {
+      memory_(pool_paths), pool_(branches_of(scene.render), &memory_), view_(1), live_(pool_paths),
+      spare_(pool_paths), compaction_(settings_.scan, pool_paths, machine.block_size),
+      shadow_rays_(pool_paths), counters_(1), next_pixel_(1),
+      first_hits_(settings_.first_bounce_cache ? pixels_ : 0),
+      results_(pixels_, counted_bounces(scene.render), machine.records) {
     if (settings_.sort != MaterialSort::queues) return;
     const auto present = kinds_in(scene);
     for (int kind = 0; kind < material_kinds; ++kind)
@@ -45,13 +29,13 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int poo
 }
 
 void Wavefront::begin_sample(std::uint32_t sample) {
-    Wave wave{scene_.view(), host_scene_.render, sample, pool_.view(), {}, {}};
+    WavefrontView wave{scene_.view(), host_scene_.render, sample, pool_, {}, {}};
     for (int kind = 0; kind < material_kinds; ++kind)
         wave.queues.kind[kind] = kind_queues_[kind].data();
     wave.queues.shadow_rays = shadow_rays_.data();
     wave.queues.counters = counters_.data();
     wave.first_bounce = {first_hits_.data(), sample > 0};
-    wave_.assign({&wave, 1});
+    view_.assign({&wave, 1});
 }
 
 // A thread for each of the n slots in the list; none, no launch.
@@ -59,14 +43,14 @@ void Wavefront::launch(Stage stage, StageKernel* kernel, const int* slots, int n
                        std::size_t shared) {
     if (n == 0) return;
     const int block = machine_.block_size, blocks = blocks_for(n, block);
-    timed(stage, blocks, [&] { kernel<<<blocks, block, shared>>>(wave_.data(), slots, n); });
+    timed(stage, blocks, [&] { kernel<<<blocks, block, shared>>>(view_.data(), slots, n); });
 }
 
 void Wavefront::generate(int first, int n) {
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     const int dealt = settings_.regenerate ? pixels_ : n;
     timed(Stage::generate, blocks, [&] {
-        generate_kernel<<<blocks, block>>>(wave_.data(), first, n, dealt, settings_.shuffle,
+        generate_kernel<<<blocks, block>>>(view_.data(), first, n, dealt, settings_.shuffle,
                                            live_.data());
     });
     listed_ = alive_ = n;
@@ -91,7 +75,7 @@ void Wavefront::sort_by_material() {
     if (settings_.sort != MaterialSort::on) return;
     timed(Stage::sort, 6 * blocks_for(listed_, machine_.block_size), [&] {
         for (int bit = 0; bit < 3; ++bit) {
-            compaction_.split_by_bit(pool_.view().kind, bit, live_.data(), listed_, spare_.data());
+            compaction_.split_by_bit(pool_.kind, bit, live_.data(), listed_, spare_.data());
             std::swap(live_, spare_);
         }
     });
@@ -113,7 +97,7 @@ void Wavefront::shadow() {
 
 void Wavefront::keep_alive() {
     timed(Stage::compact, 2 * blocks_for(listed_, machine_.block_size), [&] {
-        alive_ = compaction_.keep_alive(pool_.view().alive, live_.data(), listed_, spare_.data());
+        alive_ = compaction_.keep_alive(pool_.alive, live_.data(), listed_, spare_.data());
     });
     std::swap(live_, spare_);
     listed_ = alive_;
@@ -126,10 +110,8 @@ void Wavefront::remove_ended(int bounce) {
         next.lanes += lanes_for(alive_);
         return;
     }
-    const int warps = blocks_for(listed_, warp_lanes);
-    timed(Stage::compact, blocks_for(warps, machine_.block_size), [&] {
-        compaction_.count_alive(pool_.view().alive, live_.data(), listed_, counters_.data());
-    });
+    timed(Stage::compact, blocks_for(warps_for(listed_), machine_.block_size),
+          [&] { compaction_.count_alive(pool_.alive, live_.data(), listed_, counters_.data()); });
     const Counters counters = read_counters();
     alive_ = counters.alive;
     next.lanes += std::uint64_t{1} * counters.busy_warps * warp_lanes;
@@ -138,14 +120,14 @@ void Wavefront::remove_ended(int bounce) {
 void Wavefront::accumulate(int n) {
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     timed(Stage::accumulate, blocks,
-          [&] { accumulate_kernel<<<blocks, block>>>(wave_.data(), n, results_.view()); });
+          [&] { accumulate_kernel<<<blocks, block>>>(view_.data(), n, results_.view()); });
 }
 
 // Slots that find no pixel any more leave the list at once, or they would be accumulated twice.
 void Wavefront::regenerate() {
     const int block = machine_.block_size, blocks = blocks_for(listed_, block);
     timed(Stage::accumulate, blocks, [&] {
-        regenerate_kernel<<<blocks, block>>>(wave_.data(), live_.data(), listed_,
+        regenerate_kernel<<<blocks, block>>>(view_.data(), live_.data(), listed_,
                                              next_pixel_.data(), pixels_, settings_.shuffle,
                                              results_.view());
     });
@@ -153,7 +135,7 @@ void Wavefront::regenerate() {
     keep_alive();
     if (listed_ == 0) return;
     // Counted again: while compaction is a stub that removes nothing, the loop must end, too.
-    compaction_.count_alive(pool_.view().alive, live_.data(), listed_, counters_.data());
+    compaction_.count_alive(pool_.alive, live_.data(), listed_, counters_.data());
     alive_ = read_counters().alive;
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "common/device/device_scene.h"
+#include "common/wavefront/result_arrays.h"
+#include "common/wavefront/stage_clock.h"
 #include "labs/03_wavefront/compact.h"
 #include "labs/03_wavefront/kernels.h"
-#include "labs/03_wavefront/result_arrays.h"
 #include "labs/03_wavefront/stages.h"
 
 namespace raylab::lab03 {
@@ -56,8 +57,9 @@ class Wavefront {
     int pixels_, most_bounces_;
     int in_flight_; // blocks of the intersect kernel
 
-    Pool pool_;
-    DeviceArray<Wave> wave_;
+    SlotMemory memory_;
+    PoolView pool_;
+    DeviceArray<WavefrontView> view_;
     DeviceArray<int> live_, spare_; // slots of the paths alive, and room for the next such list
     int listed_ = 0;                // slots in live_
     int alive_ = 0;                 // of those, with a path alive
@@ -69,7 +71,7 @@ class Wavefront {
     DeviceArray<Hit> first_hits_; // a pixel each, or none
 
     ResultArrays results_;
-    std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>();
+    std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>(stage_names);
 };
 
 } // namespace raylab::lab03

@@ -2,9 +2,11 @@
 #include "labs/04_accel/kernels.h"
 
 #include "common/scene/variants.h"
-#include "labs/04_accel/generate.h"
-#include "labs/04_accel/grid.h"
-#include "labs/04_accel/shade.h"
+#include "common/wavefront/accumulate.h"
+#include "common/wavefront/generate.h"
+#include "common/wavefront/grid.h"
+#include "common/wavefront/record_end.h"
+#include "common/wavefront/shade.h"
 #include "labs/04_accel/shade_whitted.h"
 #include "labs/04_accel/trace.h"
 
@@ -12,29 +14,29 @@ namespace raylab::lab04 {
 
 namespace {
 
-__device__ void queue_shadow_ray(const Wave& wave, int slot) {
+__device__ void queue_shadow_ray(const WavefrontView& wave, int slot) {
     push(wave.shadow_rays, *wave.shadow_rays_sent, slot);
 }
 
 // A path that has left, or a branch of a tree that comes to the next only now, has no hit to shade.
-__device__ bool has_surface(const Wave& wave, int slot) {
+__device__ bool has_surface(const WavefrontView& wave, int slot) {
     return wave.pool.alive[slot] && wave.pool.hit[slot].found();
 }
 
 template <Features F, Integrator I>
-__global__ void intersect_kernel(const Wave* wave, const int* live, int n) {
+__global__ void intersect_kernel(const WavefrontView* wave, const int* live, int n) {
     const std::int64_t i = global_index();
     if (i < n) intersect_path<F, I>(*wave, live[i]);
 }
 
 template <Features F, Integrator I>
-__global__ void shadow_kernel(const Wave* wave, const int* shadow_rays, int n) {
+__global__ void shadow_kernel(const WavefrontView* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
     if (i < n) shadow_path<F, I>(*wave, shadow_rays[i]);
 }
 
 template <Features F, Integrator I>
-__global__ void shade_kernel(const Wave* wave, const int* live, int n) {
+__global__ void shade_kernel(const WavefrontView* wave, const int* live, int n) {
     const std::int64_t i = global_index();
     if (i >= n || !has_surface(*wave, live[i])) return;
     if constexpr (I == Integrator::whitted)
@@ -44,7 +46,7 @@ __global__ void shade_kernel(const Wave* wave, const int* live, int n) {
 }
 
 template <Features F>
-__global__ void shadow_rays_kernel(const Wave* wave, const int* live, int n, int light) {
+__global__ void shadow_rays_kernel(const WavefrontView* wave, const int* live, int n, int light) {
     const std::int64_t i = global_index();
     if (i < n && has_surface(*wave, live[i]) && send_whitted_shadow_ray<F>(*wave, live[i], light))
         queue_shadow_ray(*wave, live[i]);
@@ -56,14 +58,6 @@ template <Features F, Integrator I> StageKernels kernels_of() {
     return kernels;
 }
 
-__device__ void count_end(const Results& results, const PathRecord& record) {
-    const int shard = static_cast<int>(blockIdx.x % shards);
-    const int length = record.length < results.bounces ? record.length : results.bounces;
-    EndTally* tally = results.tallies + static_cast<std::int64_t>(shard) * results.bounces;
-    atomicAdd(&tally[length - 1].ended[static_cast<int>(record.end)], 1ull);
-    atomicAdd(&results.shadow_rays[shard], static_cast<unsigned long long>(record.shadow_rays));
-}
-
 } // namespace
 
 StageKernels choose_kernels(Features features, Integrator integrator) {
@@ -73,7 +67,7 @@ StageKernels choose_kernels(Features features, Integrator integrator) {
     });
 }
 
-__global__ void generate_kernel(const Wave* wave, int first, int n, int* live) {
+__global__ void generate_kernel(const WavefrontView* wave, int first, int n, int* live) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = static_cast<int>(i);
@@ -93,12 +87,11 @@ __global__ void add_counts_kernel(const WalkCounts* counts, int n, WalkTally* ta
     atomicAdd(&tally->packs, packs);
 }
 
-__global__ void accumulate_kernel(const Wave* wave, int n, Results results) {
+__global__ void accumulate_kernel(const WavefrontView* wave, int n, Results results) {
     const std::int64_t i = global_index();
     if (i >= n) return;
-    accumulate_path(*wave, static_cast<int>(i), results);
-    keep_record(*wave, static_cast<int>(i), results);
-    count_end(results, wave->pool.record[i]);
+    accumulate_path(wave->pool, static_cast<int>(i), results);
+    record_end(wave->pool, static_cast<int>(i), results);
 }
 
 } // namespace raylab::lab04

@@ -54,6 +54,7 @@ class AccelRenderer final : public Renderer {
         if (wavefront_.accel().has_triangles()) ledger.structure = wavefront_.accel().facts();
         if (wavefront_.accel().has_shape_tree()) ledger.shapes = wavefront_.accel().shape_facts();
         wavefront_.results().write_to(ledger);
+        wavefront_.walks().write_to(ledger);
         ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
     }
@@ -61,16 +62,17 @@ class AccelRenderer final : public Renderer {
   private:
     // The lecture's five steps, for the pixels first ... first + n - 1.
     void trace_batch(int first, int n) {
-        Wavefront& wave = wavefront_;
-        wave.generate(first, n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
-        for (int bounce = 0; wave.alive() > 0 && bounce < wave.most_bounces(); ++bounce) {
-            wave.walk(bounce); // 3. ONE bounce of every ray, through the triangles,
-            wave.intersect();  //    past the other shapes,
-            wave.shade();
-            wave.trace_shadow_rays();  //    and the next rays recorded in the pool.
-            wave.remove_ended(bounce); // 4. Terminated rays leave the pool.
-        }                              // 5. Repeat.
-        wave.accumulate(n);
+        wavefront_.generate(first,
+                            n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
+        for (int bounce = 0; wavefront_.alive() > 0 && bounce < wavefront_.most_bounces();
+             ++bounce) {
+            wavefront_.walk(bounce); // 3. ONE bounce of every ray, through the triangles,
+            wavefront_.intersect();  //    past the other shapes,
+            wavefront_.shade();
+            wavefront_.trace_shadow_rays();  //    and the next rays recorded in the pool.
+            wavefront_.remove_ended(bounce); // 4. Terminated rays leave the pool.
+        }                                    // 5. Repeat.
+        wavefront_.accumulate(n);
     }
 
     const Scene& scene_;
@@ -90,24 +92,17 @@ std::vector<AccelSettings> accels() {
 }
 
 MemoryUse memory_use(const Scene& scene, const MachineSettings& machine) {
-    const std::size_t pixels = std::size_t{1} * scene.camera.width * scene.camera.height;
-    const std::int64_t paths = std::min<std::int64_t>(machine.wavefront.pool, pixels);
+    const int paths = wanted_paths(scene, machine.wavefront);
     const std::size_t structure = building_bytes_per_triangle * scene.triangles.size();
     const MemoryNeeds needs = memory_needs(scene, structure, paths, machine.records);
-    return {needs.film_bytes / pixels, needs.scene_bytes + structure + paths * needs.slot_bytes};
+    return raylab::memory_use(scene, needs, paths);
 }
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSettings& machine,
                                         Accel accel) {
-    const WavefrontSettings& settings = machine.wavefront;
-    cudaDeviceProp device{};
-    check(cudaGetDeviceProperties(&device, 0), "cudaGetDeviceProperties");
-    const std::int64_t budget = settings.memory_budget > 0
-                                    ? settings.memory_budget
-                                    : static_cast<std::int64_t>(device.totalGlobalMem);
-    const int wanted = std::min(settings.pool, scene.camera.width * scene.camera.height);
-    const int pool =
-        pool_that_fits(budget, memory_needs(scene, accel.bytes(), wanted, machine.records), wanted);
+    const int wanted = wanted_paths(scene, machine.wavefront);
+    const MemoryNeeds needs = memory_needs(scene, accel.bytes(), wanted, machine.records);
+    const int pool = pool_on_device(machine.wavefront, needs, wanted);
     return std::make_unique<AccelRenderer>(scene, machine, std::move(accel), pool);
 }
 

@@ -6,29 +6,19 @@
 // second. Then the surface is shaded with the sum. Whitted 1980.
 #pragma once
 
+#include "common/trace/material_at.h"
 #include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
 #include "common/transport/specular_split.h"
-#include "labs/04_accel/branches.h"
+#include "common/wavefront/branches.h"
+#include "common/wavefront/generate.h"
+#include "labs/04_accel/wavefront_view.h"
 
 namespace raylab::lab04 {
 
-// What was hit is made of this.
-template <Features F> HD const Material& material_at(const SceneView& scene, const Hit& hit) {
-    int material = 0;
-    if constexpr (F & feature::sphere)
-        if (hit.shape == Shape::sphere) material = scene.spheres[hit.index].tags.material;
-    if constexpr (F & feature::quad)
-        if (hit.shape == Shape::quad) material = scene.quads[hit.index].tags.material;
-    if constexpr (F & feature::plane)
-        if (hit.shape == Shape::plane) material = scene.planes[hit.index].tags.material;
-    if constexpr (F & feature::triangle)
-        if (hit.shape == Shape::triangle) material = scene.triangles[hit.index].tags.material;
-    return scene.materials[material];
-}
-
 // Sends the shadow ray to one of the lights. Returns whether there is one to be traced.
-template <Features F> HD bool send_whitted_shadow_ray(const Wave& wave, int slot, int light) {
+template <Features F>
+HD bool send_whitted_shadow_ray(const WavefrontView& wave, int slot, int light) {
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;
     const Material& material = material_at<F>(scene, pool.hit[slot]);
@@ -43,7 +33,7 @@ template <Features F> HD bool send_whitted_shadow_ray(const Wave& wave, int slot
     return shadow_ray.sent;
 }
 
-template <Features F> HD void shade_whitted(const Wave& wave, int slot) {
+template <Features F> HD void shade_whitted(const WavefrontView& wave, int slot) {
     const SceneView& scene = wave.scene;
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);

@@ -7,7 +7,8 @@
 
 #include "common/trace/intersect.h"
 #include "common/transport/emission.h"
-#include "labs/04_accel/branches.h"
+#include "common/wavefront/branches.h"
+#include "labs/04_accel/wavefront_view.h"
 
 namespace raylab::lab04 {
 
@@ -28,7 +29,7 @@ template <Features F> HD Hit closer_hit(const SceneView& scene, const Ray& ray, 
 
 // Settles what the slot's ray meets. A ray that leaves takes the sky's light along and ends its
 // path, or its branch of the tree.
-template <Features F, Integrator I> HD void intersect_path(const Wave& wave, int slot) {
+template <Features F, Integrator I> HD void intersect_path(const WavefrontView& wave, int slot) {
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);
     const bool walked = wave.scene.triangles.size > 0 || wave.shapes.boxes.nodes.size > 0;
@@ -49,7 +50,7 @@ template <Features F, Integrator I> HD void intersect_path(const Wave& wave, int
 
 // The shadow ray's light joins the path's, or Whitted's sum over the lights, if nothing is in its
 // way.
-template <Features F, Integrator I> HD void shadow_path(const Wave& wave, int slot) {
+template <Features F, Integrator I> HD void shadow_path(const WavefrontView& wave, int slot) {
     const PoolView& pool = wave.pool;
     if (pool.blocked[slot]) return;
     if (occluded<without_triangles(F)>(wave.scene, shadow_ray_of(pool, slot))) return;

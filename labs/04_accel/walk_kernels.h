@@ -8,13 +8,13 @@
 //     template <class Query> HD static void walk(const StructureView& structure, Query& query);
 #pragma once
 
-#include "labs/04_accel/grid.h"
-#include "labs/04_accel/wave.h"
+#include "common/wavefront/grid.h"
+#include "labs/04_accel/wavefront_view.h"
 
 namespace raylab::lab04 {
 
 // After the first walk that has no end the rest of the iteration counts for nothing.
-__device__ inline bool given_up(const Wave& wave) {
+__device__ inline bool given_up(const WavefrontView& wave) {
     const int* found = &wave.walked.endless->found; // another thread may be about to write it
 #if defined(__CUDACC__)
     return *static_cast<const volatile int*>(found) != 0;
@@ -24,7 +24,8 @@ __device__ inline bool given_up(const Wave& wave) {
 }
 
 // i: the ray's place in the list.
-__device__ inline void report(const Wave& wave, std::int64_t i, int slot, const Query& query) {
+__device__ inline void report(const WavefrontView& wave, std::int64_t i, int slot,
+                              const Query& query) {
     wave.walked.counts[i] = query.counts();
     if (!query.endless()) return;
     EndlessRay& endless = *wave.walked.endless;
@@ -35,7 +36,7 @@ __device__ inline void report(const Wave& wave, std::int64_t i, int slot, const 
 
 // The closest triangle of each ray in the list, or none.
 template <class Walk>
-__global__ void walk_closest_kernel(const Wave* wave, const int* live, int n) {
+__global__ void walk_closest_kernel(const WavefrontView* wave, const int* live, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = live[i];
@@ -47,7 +48,7 @@ __global__ void walk_closest_kernel(const Wave* wave, const int* live, int n) {
 
 // Whether a triangle is in the way of each shadow ray.
 template <class Walk>
-__global__ void walk_any_kernel(const Wave* wave, const int* shadow_rays, int n) {
+__global__ void walk_any_kernel(const WavefrontView* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = shadow_rays[i];

@@ -2,55 +2,38 @@
 #include "labs/04_accel/wavefront.h"
 
 #include "common/scene/scene_features.h"
+#include "common/wavefront/bounces.h"
 #include "labs/04_accel/memory_budget.h"
 #include "labs/04_accel/shapes/kernels.h"
 
 namespace raylab::lab04 {
 
-namespace {
-
-constexpr int warp_lanes = 32;
-std::uint64_t lanes_for(int paths) {
-    return std::uint64_t{1} * blocks_for(paths, warp_lanes) * warp_lanes;
-}
-
-bool is_whitted(const Scene& scene) { return scene.render.integrator == Integrator::whitted; }
-
-// A path has a bounce for each surface, a tree one for each node.
-int bounces_of(const Scene& scene) {
-    return is_whitted(scene) ? 1 << scene.render.max_depth : scene.render.max_depth;
-}
-
-// What a tree does past these is counted in the last.
-constexpr int rows_of_a_tree = 64;
-
-} // namespace
-
 Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel accel,
                      int pool_paths)
     : host_scene_(scene), machine_(machine), scene_(scene), accel_(std::move(accel)),
       kernels_(choose_kernels(features_of(scene), scene.render.integrator)),
-      most_bounces_(bounces_of(scene)), pool_(pool_paths, branches_of(scene.render)), wave_(1),
-      live_(pool_paths), spare_(pool_paths), compaction_(pool_paths, machine.block_size),
-      shadow_rays_(pool_paths), shadow_rays_sent_(1),
+      most_bounces_(raylab::most_bounces(scene.render)), memory_(pool_paths),
+      pool_(branches_of(scene.render), &memory_), view_(1), live_(pool_paths), spare_(pool_paths),
+      compaction_(pool_paths, machine.block_size), shadow_rays_(pool_paths), shadow_rays_sent_(1),
       walk_counts_(accel_.has_triangles() || accel_.has_shape_tree() ? pool_paths : 0), endless_(1),
-      results_(scene.camera.width * scene.camera.height,
-               is_whitted(scene) ? rows_of_a_tree : most_bounces_, machine.records) {}
+      results_(scene.camera.width * scene.camera.height, counted_bounces(scene.render),
+               machine.records),
+      walks_(counted_bounces(scene.render)) {}
 
 void Wavefront::begin_sample(std::uint32_t sample) {
     SceneView scene = scene_.view();
     const ShapeTreeView shapes = accel_.shapes(scene);
     if (accel_.has_shape_tree()) scene.sphere_groups = {}, scene.quad_groups = {};
-    const Wave wave{scene,
-                    host_scene_.render,
-                    sample,
-                    pool_.view(),
-                    accel_.view(scene.triangles),
-                    shapes,
-                    {walk_counts_.data(), endless_.data()},
-                    shadow_rays_.data(),
-                    shadow_rays_sent_.data()};
-    wave_.assign({&wave, 1});
+    const WavefrontView wave{scene,
+                             host_scene_.render,
+                             sample,
+                             pool_,
+                             accel_.view(scene.triangles),
+                             shapes,
+                             {walk_counts_.data(), endless_.data()},
+                             shadow_rays_.data(),
+                             shadow_rays_sent_.data()};
+    view_.assign({&wave, 1});
     endless_.clear();
 }
 
@@ -58,7 +41,7 @@ void Wavefront::begin_sample(std::uint32_t sample) {
 void Wavefront::launch(Stage stage, StageKernel* kernel, const int* slots, int n) {
     if (n == 0) return;
     const int block = machine_.block_size, blocks = blocks_for(n, block);
-    timed(stage, blocks, [&] { kernel<<<blocks, block>>>(wave_.data(), slots, n); });
+    timed(stage, blocks, [&] { kernel<<<blocks, block>>>(view_.data(), slots, n); });
 }
 
 // The same for a walk, and what it visited is added up.
@@ -67,7 +50,7 @@ void Wavefront::launch_walk(Stage stage, StageKernel* kernel, const int* slots, 
     if (n == 0) return;
     launch(stage, kernel, slots, n);
     const int block = machine_.block_size,
-              blocks = blocks_for(blocks_for(n, counts_per_thread), block);
+              blocks = blocks_for(parts_for(n, counts_per_thread), block);
     timed(stage, blocks,
           [&] { add_counts_kernel<<<blocks, block>>>(walk_counts_.data(), n, tally); });
 }
@@ -75,19 +58,19 @@ void Wavefront::launch_walk(Stage stage, StageKernel* kernel, const int* slots, 
 void Wavefront::generate(int first, int n) {
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     timed(Stage::generate, blocks,
-          [&] { generate_kernel<<<blocks, block>>>(wave_.data(), first, n, live_.data()); });
+          [&] { generate_kernel<<<blocks, block>>>(view_.data(), first, n, live_.data()); });
     alive_ = n;
     results_.of_bounce(0).lanes += lanes_for(n);
 }
 
 void Wavefront::walk(int bounce) {
-    results_.of_bounce(bounce).walks.rays += alive_;
+    walks_.rays_of_bounce(bounce) += alive_;
     if (accel_.has_triangles())
         launch_walk(Stage::walk, accel_.kernels().closest, live_.data(), alive_,
-                    results_.walks_of_bounce(bounce));
+                    walks_.of_bounce(bounce));
     if (accel_.has_shape_tree())
         launch_walk(Stage::walk, shape_kernels().closest, live_.data(), alive_,
-                    results_.walks_past_shapes());
+                    walks_.past_shapes());
 }
 
 void Wavefront::intersect() { launch(Stage::intersect, kernels_.intersect, live_.data(), alive_); }
@@ -100,7 +83,7 @@ void Wavefront::shade() {
     if (kernels_.shadow_rays != nullptr)
         for (int light = 0; light < scene_.view().lights.size; ++light) {
             timed(Stage::shade, blocks, [&] {
-                kernels_.shadow_rays<<<blocks, block>>>(wave_.data(), live_.data(), alive_, light);
+                kernels_.shadow_rays<<<blocks, block>>>(view_.data(), live_.data(), alive_, light);
             });
             trace_shadow_rays();
             shadow_rays_sent_.clear();
@@ -110,19 +93,19 @@ void Wavefront::shade() {
 
 void Wavefront::trace_shadow_rays() {
     const int sent = shadow_rays_sent_.to_host().front();
-    results_.shadow_rays_walked() += sent;
+    walks_.shadow_rays() += sent;
     if (accel_.has_triangles())
         launch_walk(Stage::walk_shadow_rays, accel_.kernels().any, shadow_rays_.data(), sent,
-                    results_.walks_of_shadow_rays());
+                    walks_.of_shadow_rays());
     if (accel_.has_shape_tree())
         launch_walk(Stage::walk_shadow_rays, shape_kernels().any, shadow_rays_.data(), sent,
-                    results_.shadow_rays_past_shapes());
+                    walks_.shadow_rays_past_shapes());
     launch(Stage::shadow, kernels_.shadow, shadow_rays_.data(), sent);
 }
 
 void Wavefront::remove_ended(int bounce) {
     timed(Stage::compact, 2 * blocks_for(alive_, machine_.block_size), [&] {
-        alive_ = compaction_.keep_alive(pool_.view().alive, live_.data(), alive_, spare_.data());
+        alive_ = compaction_.keep_alive(pool_.alive, live_.data(), alive_, spare_.data());
     });
     std::swap(live_, spare_);
     results_.of_bounce(bounce + 1).lanes += lanes_for(alive_);
@@ -131,7 +114,7 @@ void Wavefront::remove_ended(int bounce) {
 void Wavefront::accumulate(int n) {
     const int block = machine_.block_size, blocks = blocks_for(n, block);
     timed(Stage::accumulate, blocks,
-          [&] { accumulate_kernel<<<blocks, block>>>(wave_.data(), n, results_.view()); });
+          [&] { accumulate_kernel<<<blocks, block>>>(view_.data(), n, results_.view()); });
 }
 
 } // namespace raylab::lab04

@@ -4,10 +4,11 @@
 
 #include "common/device/device_scene.h"
 #include "common/render/renderer.h"
+#include "common/wavefront/compact.h"
+#include "common/wavefront/result_arrays.h"
+#include "common/wavefront/stage_clock.h"
 #include "labs/04_accel/accel.h"
-#include "labs/04_accel/compact.h"
 #include "labs/04_accel/kernels.h"
-#include "labs/04_accel/result_arrays.h"
 #include "labs/04_accel/stages.h"
 
 namespace raylab::lab04 {
@@ -33,6 +34,7 @@ class Wavefront {
     int most_bounces() const { return most_bounces_; }
     const Accel& accel() const { return accel_; }
     const ResultArrays& results() const { return results_; }
+    const WalkTallies& walks() const { return walks_; }
     const std::vector<StageCounts>& stage_counts() const { return clock_->counts(); }
 
     // The first ray of this sample whose walk did not end; found == 0: all did.
@@ -54,8 +56,9 @@ class Wavefront {
     StageKernels kernels_;
     int most_bounces_;
 
-    Pool pool_;
-    DeviceArray<Wave> wave_;
+    SlotMemory memory_;
+    PoolView pool_;
+    DeviceArray<WavefrontView> view_;
     DeviceArray<int> live_, spare_; // slots of the paths alive, and room for the next such list
     int alive_ = 0;                 // slots in live_
     Compaction compaction_;
@@ -64,7 +67,8 @@ class Wavefront {
     DeviceArray<EndlessRay> endless_;
 
     ResultArrays results_;
-    std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>();
+    WalkTallies walks_;
+    std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>(stage_names);
 };
 
 } // namespace raylab::lab04

@@ -2,12 +2,12 @@
 #include "labs/04_accel/lbvh/build.h"
 
 #include "common/device/launch.h"
-#include "labs/04_accel/grid.h"
+#include "common/wavefront/grid.h"
+#include "common/wavefront/scan_library.h"
 #include "labs/04_accel/lbvh/host.h"
 #include "labs/04_accel/lbvh/karras.h"
 #include "labs/04_accel/lbvh/morton.h"
 #include "labs/04_accel/lbvh/radix_sort.h"
-#include "labs/04_accel/scan.h"
 
 #include <algorithm>
 #include <chrono>
@@ -212,7 +212,7 @@ __global__ void lone_leaf_kernel(const TrianglePack* packs, BvhNode* nodes) {
 }
 
 Bounds bounds_of_centres(Array<Triangle> triangles) {
-    const int chunks = blocks_for(triangles.size, bounds_chunk);
+    const int chunks = parts_for(triangles.size, bounds_chunk);
     DeviceArray<Bounds> boxes(chunks);
     centres_kernel<<<blocks_for(chunks, block), block>>>(triangles, chunks, boxes.data());
     check(cudaGetLastError(), "centres_kernel");
@@ -225,8 +225,8 @@ Bounds bounds_of_centres(Array<Triangle> triangles) {
 struct Numbers {
     explicit Numbers(const DeviceArray<std::uint32_t>& flags) : number(flags.size()) {
         const std::int64_t n = static_cast<std::int64_t>(flags.size());
-        DeviceArray<std::uint32_t> workspace(scan_workspace(n));
-        scan(flags.data(), number.data(), n, workspace.data());
+        DeviceArray<std::uint32_t> workspace(scan_library_workspace(n));
+        scan_library(flags.data(), number.data(), n, workspace.data());
         std::uint32_t last[2] = {};
         check(cudaMemcpy(&last[0], flags.data() + n - 1, sizeof last[0], cudaMemcpyDeviceToHost),
               "the last flag");

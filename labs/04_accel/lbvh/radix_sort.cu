@@ -10,8 +10,8 @@
 #include "labs/04_accel/lbvh/radix_sort.h"
 
 #include "common/device/launch.h"
-#include "labs/04_accel/grid.h"
-#include "labs/04_accel/scan.h"
+#include "common/wavefront/grid.h"
+#include "common/wavefront/scan_library.h"
 
 #include <utility>
 
@@ -52,14 +52,14 @@ __global__ void scatter(const std::uint32_t* keys, const int* values, int n, int
 void radix_sort(DeviceArray<std::uint32_t>& keys, DeviceArray<int>& values, int bits) {
     const int n = static_cast<int>(keys.size());
     if (n == 0) return;
-    const int chunks = blocks_for(n, chunk), blocks = blocks_for(chunks, block);
+    const int chunks = parts_for(n, chunk), blocks = blocks_for(chunks, block);
     const std::int64_t entries = std::int64_t{digits} * chunks;
     DeviceArray<std::uint32_t> other_keys(n), count(entries), place(entries),
-        workspace(scan_workspace(entries));
+        workspace(scan_library_workspace(entries));
     DeviceArray<int> other_values(n);
     for (int shift = 0; shift < bits; shift += digit_bits) {
         count_digits<<<blocks, block>>>(keys.data(), n, shift, chunks, count.data());
-        scan(count.data(), place.data(), entries, workspace.data());
+        scan_library(count.data(), place.data(), entries, workspace.data());
         scatter<<<blocks, block>>>(keys.data(), values.data(), n, shift, chunks, place.data(),
                                    other_keys.data(), other_values.data());
         check(cudaGetLastError(), "radix_sort");

@@ -9,9 +9,9 @@ namespace raylab::lab04 {
 namespace {
 
 // Without triangles nothing has walked before, and the pool holds what an earlier ray left.
-__device__ bool walked_before(const Wave& wave) { return wave.scene.triangles.size > 0; }
+__device__ bool walked_before(const WavefrontView& wave) { return wave.scene.triangles.size > 0; }
 
-__global__ void closest_shape_kernel(const Wave* wave, const int* live, int n) {
+__global__ void closest_shape_kernel(const WavefrontView* wave, const int* live, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = live[i];
@@ -22,7 +22,7 @@ __global__ void closest_shape_kernel(const Wave* wave, const int* live, int n) {
     report(*wave, i, slot, query);
 }
 
-__global__ void any_shape_kernel(const Wave* wave, const int* shadow_rays, int n) {
+__global__ void any_shape_kernel(const WavefrontView* wave, const int* shadow_rays, int n) {
     const std::int64_t i = global_index();
     if (i >= n) return;
     const int slot = shadow_rays[i];

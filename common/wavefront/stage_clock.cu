@@ -1,13 +1,13 @@
-#include "labs/03_wavefront/stages.h"
+#include "common/wavefront/stage_clock.h"
 
-namespace raylab::lab03 {
+namespace raylab {
 
 namespace {
 constexpr std::size_t span_count = 256; // read, and used again, when all are used
 }
 
-StageClock::StageClock() {
-    for (const char* name : stage_names) counts_.push_back({name});
+StageClock::StageClock(std::span<const char* const> names) {
+    for (const char* name : names) counts_.push_back({name});
     spans_.resize(span_count);
     for (Span& span : spans_) {
         check(cudaEventCreate(&span.begin), "cudaEventCreate");
@@ -22,16 +22,16 @@ StageClock::~StageClock() {
     }
 }
 
-void StageClock::begin(Stage stage) {
+void StageClock::begin(std::size_t stage) {
     if (used_ == spans_.size()) read();
     spans_[used_].stage = stage;
     check(cudaEventRecord(spans_[used_].begin), "cudaEventRecord");
 }
 
-void StageClock::end(Stage stage, std::uint64_t blocks, std::uint64_t threads) {
-    check(cudaGetLastError(), stage_names[static_cast<int>(stage)]);
+void StageClock::end(std::size_t stage, std::uint64_t blocks, std::uint64_t threads) {
+    StageCounts& counts = counts_[stage];
+    check(cudaGetLastError(), counts.name);
     check(cudaEventRecord(spans_[used_++].end), "cudaEventRecord");
-    StageCounts& counts = counts_[static_cast<int>(stage)];
     ++counts.launches;
     counts.blocks += blocks;
     counts.threads += threads;
@@ -43,7 +43,7 @@ void StageClock::read() {
         check(cudaEventSynchronize(spans_[i].end), "cudaEventSynchronize");
         check(cudaEventElapsedTime(&milliseconds, spans_[i].begin, spans_[i].end),
               "cudaEventElapsedTime");
-        counts_[static_cast<int>(spans_[i].stage)].seconds += 1e-3 * milliseconds;
+        counts_[spans_[i].stage].seconds += 1e-3 * milliseconds;
     }
     used_ = 0;
 }
@@ -53,4 +53,4 @@ const std::vector<StageCounts>& StageClock::counts() {
     return counts_;
 }
 
-} // namespace raylab::lab03
+} // namespace raylab

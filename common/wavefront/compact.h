@@ -1,11 +1,11 @@
-// Compaction, as in lab 03: the slots that are alive move up in the list, in their order.
+// Compaction, as lab 03 writes it: the slots that are alive move up in the list, in their order.
 #pragma once
 
 #include "common/device/device_array.h"
 
 #include <cstdint>
 
-namespace raylab::lab04 {
+namespace raylab {
 
 class Compaction {
   public:
@@ -23,4 +23,4 @@ class Compaction {
     DeviceArray<std::uint32_t> flags_, places_, workspace_;
 };
 
-} // namespace raylab::lab04
+} // namespace raylab

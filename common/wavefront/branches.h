@@ -7,17 +7,17 @@
 // deep tree keeps a launch alive for itself alone: compaction pays here more than anywhere.
 #pragma once
 
-#include "labs/03_wavefront/wave.h"
+#include "common/wavefront/path_pool.h"
 
-namespace raylab::lab03 {
+namespace raylab {
 
-HD void push_branch(const PoolView& pool, int slot, const PendingRay& ray) {
+HD void push_branch(const PathPoolView& pool, int slot, const PendingRay& ray) {
     const int k = pool.pending[slot]++;
     pool.stack[static_cast<std::int64_t>(k) * pool.capacity + slot] = ray;
 }
 
 // The newest branch becomes the slot's ray; without one the path ends.
-HD void next_branch(const PoolView& pool, int slot) {
+HD void next_branch(const PathPoolView& pool, int slot) {
     if (pool.pending[slot] == 0) return end_path(pool, slot, PathEnd::absorbed);
     const int k = --pool.pending[slot];
     const PendingRay ray = pool.stack[static_cast<std::int64_t>(k) * pool.capacity + slot];
@@ -28,4 +28,4 @@ HD void next_branch(const PoolView& pool, int slot) {
     pool.node[slot] = ray.node;
 }
 
-} // namespace raylab::lab03
+} // namespace raylab

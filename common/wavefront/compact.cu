@@ -1,10 +1,10 @@
-#include "labs/04_accel/compact.h"
+#include "common/wavefront/compact.h"
 
 #include "common/device/launch.h"
-#include "labs/04_accel/grid.h"
-#include "labs/04_accel/scan.h"
+#include "common/wavefront/grid.h"
+#include "common/wavefront/scan_library.h"
 
-namespace raylab::lab04 {
+namespace raylab {
 
 namespace {
 
@@ -24,17 +24,17 @@ __global__ void scatter_kept(const int* live, int n, const std::uint32_t* flags,
 
 Compaction::Compaction(int capacity, int block_size)
     : block_(block_size), flags_(capacity), places_(capacity),
-      workspace_(scan_workspace(capacity)) {}
+      workspace_(scan_library_workspace(capacity)) {}
 
 std::int64_t Compaction::words(std::int64_t capacity) {
-    return 2 * capacity + scan_workspace(capacity);
+    return 2 * capacity + scan_library_workspace(capacity);
 }
 
 int Compaction::keep_alive(const std::uint8_t* alive, const int* live, int n, int* kept) {
     if (n == 0) return 0;
     const int blocks = blocks_for(n, block_);
     flag_alive<<<blocks, block_>>>(alive, live, n, flags_.data());
-    scan(flags_.data(), places_.data(), n, workspace_.data());
+    scan_library(flags_.data(), places_.data(), n, workspace_.data());
     scatter_kept<<<blocks, block_>>>(live, n, flags_.data(), places_.data(), kept);
     check(cudaGetLastError(), "compaction");
     std::uint32_t last[2] = {}; // the last flag, and the sum of those before
@@ -45,4 +45,4 @@ int Compaction::keep_alive(const std::uint8_t* alive, const int* live, int n, in
     return static_cast<int>(last[0] + last[1]);
 }
 
-} // namespace raylab::lab04
+} // namespace raylab

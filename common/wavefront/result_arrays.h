@@ -2,11 +2,11 @@
 #pragma once
 
 #include "common/device/device_array.h"
-#include "labs/03_wavefront/accumulate.h"
+#include "common/wavefront/results.h"
 
 #include <algorithm>
 
-namespace raylab::lab03 {
+namespace raylab {
 
 class ResultArrays {
   public:
@@ -44,4 +44,4 @@ class ResultArrays {
     std::vector<BounceCounts> launched_;
 };
 
-} // namespace raylab::lab03
+} // namespace raylab

@@ -1,6 +1,6 @@
-#include "labs/03_wavefront/result_arrays.h"
+#include "common/wavefront/result_arrays.h"
 
-namespace raylab::lab03 {
+namespace raylab {
 
 // The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays are
 // sums over the bounces that follow.
@@ -21,4 +21,4 @@ void ResultArrays::write_to(Ledger& ledger) const {
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
 }
 
-} // namespace raylab::lab03
+} // namespace raylab

@@ -6,28 +6,19 @@
 
 #include "common/trace/texture.h"
 #include "common/transport/direct_light.h"
-#include "labs/04_accel/wave.h"
+#include "common/wavefront/generate.h"
+#include "common/wavefront/roulette.h"
 
-namespace raylab::lab04 {
-
-// Russian roulette, as in lab 02: from the second surface on, a path survives with probability q,
-// and survivors count 1/q, so the mean stays.
-HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
-    if (bounce < 1) return true;
-    const float q = glm::min(1.0f, 2.5f * max_component(throughput));
-    if (u >= q) return false;
-    throughput /= q;
-    return true;
-}
+namespace raylab {
 
 // Returns whether the slot has a shadow ray to be traced.
-template <Features F> HD bool shade_path(const Wave& wave, int slot) {
+template <Features F, class WavefrontView> HD bool shade_path(const WavefrontView& wave, int slot) {
     const SceneView& scene = wave.scene;
     const RenderSettings& settings = wave.settings;
-    const PoolView& pool = wave.pool;
-    const Ray ray = {pool.origin[slot], pool.direction[slot]};
+    const PathPoolView& pool = wave.pool;
+    const Ray ray = ray_of(pool, slot);
     const int bounce = pool.bounce[slot];
-    const Vec3 throughput = pool.throughput[slot];
+    Vec3 throughput = pool.throughput[slot];
 
     const SurfacePoint surface = surface_at<F>(scene, ray, pool.hit[slot]);
     const Material& material = scene.materials[surface.material];
@@ -51,20 +42,20 @@ template <Features F> HD bool shade_path(const Wave& wave, int slot) {
     // A new direction, and the share of light that comes back from it.
     const BsdfSample scattered =
         sample_bsdf<F>(surface, material, reflectance, wo, u.lobe, u.direction);
-    Vec3 onward = throughput * scattered.weight;
+    throughput *= scattered.weight;
     if (!scattered.valid) {
         end_path(pool, slot, PathEnd::absorbed);
-    } else if (settings.roulette && !survives_roulette(onward, bounce, u.roulette)) {
+    } else if (settings.roulette && !survives_roulette(throughput, bounce, u.roulette)) {
         end_path(pool, slot, PathEnd::roulette);
     } else {
         const Ray next = spawn_ray(surface, scattered.wi);
         pool.origin[slot] = next.o;
         pool.direction[slot] = next.d;
-        pool.throughput[slot] = onward;
+        pool.throughput[slot] = throughput;
         pool.bsdf_pdf[slot] = scattered.specular ? delta_pdf : scattered.pdf;
         pool.bounce[slot] = bounce + 1;
     }
     return shadow_ray.sent;
 }
 
-} // namespace raylab::lab04
+} // namespace raylab

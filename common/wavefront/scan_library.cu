@@ -1,6 +1,10 @@
-// CUB, which comes with CUDA, or the C++ standard library on the CPU machine.
+// Scan by the library: CUB, which comes with CUDA, or the C++ standard library on the CPU machine.
+//
+// In work that is not a lesson this is the one to use. CUB's scan moves each number once in and
+// once out (decoupled look-back, Merrill and Garland 2016), which no scan in several passes can.
+#include "common/wavefront/scan_library.h"
+
 #include "common/device/device_array.h"
-#include "labs/04_accel/scan.h"
 
 #if defined(__CUDACC__)
 #include <cub/device/device_scan.cuh>
@@ -8,11 +12,11 @@
 #include <numeric>
 #endif
 
-namespace raylab::lab04 {
+namespace raylab {
 
 #if defined(__CUDACC__)
 
-std::int64_t scan_workspace(std::int64_t n) {
+std::int64_t scan_library_workspace(std::int64_t n) {
     std::size_t bytes = 0;
     const std::uint32_t* in = nullptr;
     std::uint32_t* out = nullptr;
@@ -20,8 +24,9 @@ std::int64_t scan_workspace(std::int64_t n) {
     return static_cast<std::int64_t>(bytes / sizeof(std::uint32_t) + 1);
 }
 
-void scan(const std::uint32_t* in, std::uint32_t* out, std::int64_t n, std::uint32_t* workspace) {
-    std::size_t bytes = scan_workspace(n) * sizeof(std::uint32_t);
+void scan_library(const std::uint32_t* in, std::uint32_t* out, std::int64_t n,
+                  std::uint32_t* workspace) {
+    std::size_t bytes = scan_library_workspace(n) * sizeof(std::uint32_t);
     check(cub::DeviceScan::ExclusiveSum(workspace, bytes, in, out, n), "ExclusiveSum");
 }
 
@@ -36,9 +41,9 @@ __global__ void library_kernel(const std::uint32_t* in, std::uint32_t* out, std:
 
 } // namespace
 
-std::int64_t scan_workspace(std::int64_t) { return 0; }
+std::int64_t scan_library_workspace(std::int64_t) { return 0; }
 
-void scan(const std::uint32_t* in, std::uint32_t* out, std::int64_t n, std::uint32_t*) {
+void scan_library(const std::uint32_t* in, std::uint32_t* out, std::int64_t n, std::uint32_t*) {
     if (n == 0) return;
     library_kernel<<<1, 1>>>(in, out, n);
     check(cudaGetLastError(), "library_kernel");
@@ -46,4 +51,4 @@ void scan(const std::uint32_t* in, std::uint32_t* out, std::int64_t n, std::uint
 
 #endif
 
-} // namespace raylab::lab04
+} // namespace raylab

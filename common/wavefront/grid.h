@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace raylab::lab04 {
+namespace raylab {
 
 // The index of a thread over a whole grid. The product of blockIdx.x and blockDim.x, both 32 bit,
 // wraps at 2^32, and as int at 2^31: one factor must be made wide before.
@@ -23,4 +23,4 @@ __device__ inline std::int64_t global_index() {
 // but paths share nothing, so the image does not.
 __device__ inline void push(int* queue, int& size, int slot) { queue[atomicAdd(&size, 1)] = slot; }
 
-} // namespace raylab::lab04
+} // namespace raylab

@@ -1,0 +1,19 @@
+// How many bounces a wavefront may take, and how many of them the ledger tells apart.
+#pragma once
+
+#include "common/scene/settings.h"
+
+namespace raylab {
+
+// A path has a bounce for each surface, Whitted's tree one for each node.
+inline int most_bounces(const RenderSettings& settings) {
+    return settings.integrator == Integrator::whitted ? 1 << settings.max_depth
+                                                      : settings.max_depth;
+}
+
+// What a tree does past 64 bounces is counted in the last of them.
+inline int counted_bounces(const RenderSettings& settings) {
+    return settings.integrator == Integrator::whitted ? 64 : settings.max_depth;
+}
+
+} // namespace raylab

@@ -1,0 +1,26 @@
+// What outlives the paths, as kernels see it.
+#pragma once
+
+#include "common/film/film.h"
+#include "common/film/ledger.h"
+
+namespace raylab {
+
+// Counters are privatised, as in lab 02: blocks add to different copies.
+constexpr int shards = 16;
+
+// Per shard and bounce: the paths that ended there, by cause.
+struct EndTally {
+    unsigned long long ended[path_ends];
+};
+
+// What a batch leaves behind.
+struct Results {
+    FilmPixel* film;                 // a pixel each
+    PathRecord* records;             // a pixel each; null unless somebody asked for them
+    EndTally* tallies;               // shards * bounces
+    unsigned long long* shadow_rays; // shards
+    int bounces;
+};
+
+} // namespace raylab
