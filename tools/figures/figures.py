@@ -162,7 +162,7 @@ MISTAKES = {
         "cosine": ("cosine.h", "return {wi, albedo, wi.z", "return {wi, albedo * wi.z, wi.z", BOX),
     },
     LAB03: {
-        "throughput": ("shade.h", "= throughput * shadow_ray.light;", "= shadow_ray.light;", BOX),
+        "throughput": ("shade.h", "throughput * shadow_ray.light);", "shadow_ray.light);", BOX),
         "branches": ("shade_whitted.h",
                      "surface, reflectance, wo);\n        return next_branch(pool, slot);",
                      "surface, reflectance, wo);\n"
@@ -287,7 +287,7 @@ def wavefront_lanes(raylab):
               ("03, --compact 3", "03", ("--compact", "3"), 10), ("02", "02", (), 0)]
     for (name, lab, options, dy), colour in zip(curves, COLOURS):
         bounces = raylab.ledger("cornell", "--spp", 4, *options, lab=lab)["bounces"]
-        plot.curve([(b, row["lanes_alive"]) for b, row in enumerate(bounces[:10]) if row["rays"]],
+        plot.curve([(b, row["lanes_share"]) for b, row in enumerate(bounces[:10]) if row["rays"]],
                    name, colour, dy=dy)
     plot.save(LAB03 / "lanes.svg")
 
