@@ -2,6 +2,7 @@
 // materials and point lights. docs/formats.md says what is read, warned of and refused.
 #include "common/load/gltf_camera.h"
 #include "common/load/gltf_check.h"
+#include "common/load/gltf_light.h"
 #include "common/load/gltf_look.h"
 #include "common/load/gltf_pose.h"
 #include "common/load/gltf_vertices.h"
@@ -36,7 +37,9 @@ class GltfReader {
                 nodes[index].fail(fmt::format("mesh {} does not exist; the file has {}", node.mesh,
                                               model_.meshes.size()));
             if (node.mesh >= 0) read_mesh(node, nodes[index], *nodes_.to_world[index]);
-            read_light(nodes[index], *nodes_.to_world[index]);
+            if (const auto light =
+                    read_gltf_light(file_.root, nodes[index], *nodes_.to_world[index], losses_))
+                mesh_.lights.push_back(*light);
             if (look_) // which takes all that is not geometry
                 if (auto camera = read_gltf_camera(file_.root, nodes[index],
                                                    *nodes_.to_world[index], losses_))
@@ -227,30 +230,6 @@ class GltfReader {
         interpolate(mesh_.uvs, whole.uv, part.uv);
         interpolate(mesh_.colours, whole.colour, part.colour);
         return part;
-    }
-
-    // KHR_lights_punctual.
-    void read_light(const Node& node, const Transform& to_world) {
-        const auto of_node = node.find("extensions");
-        const auto named = of_node ? of_node->find("KHR_lights_punctual") : std::nullopt;
-        if (!named) return;
-        const auto of_file = file_.root.find("extensions");
-        const auto extension = of_file ? of_file->find("KHR_lights_punctual") : std::nullopt;
-        const std::vector<Node> lights =
-            extension ? extension->at("lights").elements() : std::vector<Node>{};
-        const Node index = named->at("light");
-        if (index.integer() < 0 || index.integer() >= int(lights.size()))
-            index.fail(fmt::format("light {} does not exist; the file has {}", index.integer(),
-                                   lights.size()));
-        const Node light = lights[std::size_t(index.integer())];
-        const std::string type = light.at("type").word({"point", "spot", "directional"});
-        if (type != "point") return losses_.add(type + " lights", "node");
-        if (light.has("range")) losses_.add("ranges of lights", "node");
-        const Vec3 colour = light.has("color") ? light.at("color").rgb() : Vec3(1);
-        const double intensity = light.has("intensity") ? light.at("intensity").not_negative() : 1;
-        mesh_.lights.push_back({to_world.translation, float(intensity) * colour});
-        if (!is_finite(mesh_.lights.back().intensity))
-            light.fail("expected an intensity of at most 3.4e38 (single precision) in each colour");
     }
 
     void note_other_losses() {
