@@ -1,5 +1,7 @@
 #include "app/bench_lab.h"
 
+#include "common/render/render.h"
+
 #include <chrono>
 #include <malloc.h>
 
@@ -17,18 +19,16 @@ double heap_bytes() {
 bench::Contestant lab_contestant(const Lab& lab, const Scene& scene,
                                  const MachineSettings& machine) {
     const auto render = [&lab, &scene, machine](int spp, std::uint32_t seed) {
-        Scene seeded = scene;
-        seeded.render.seed = seed;
         bench::Drawn drawn;
         const double bytes_before = heap_bytes();
         const auto start = std::chrono::steady_clock::now();
-        const std::unique_ptr<Renderer> renderer = lab.make(seeded, machine);
-        for (int i = 0; i < spp; ++i) renderer->add_iteration();
-        drawn.image = develop(*renderer, seeded);
+        const std::unique_ptr<Renderer> renderer = lab.make(scene, machine);
+        Render finished = raylab::render(*renderer, scene, scene.camera, seed, spp);
         drawn.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         drawn.bytes = heap_bytes() - bytes_before;
-        drawn.ledger = renderer->ledger();
+        drawn.image = std::move(finished.image);
+        drawn.ledger = std::move(finished.ledger);
         return drawn;
     };
     return {lab.number, lab.folder, render};

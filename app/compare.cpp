@@ -85,8 +85,9 @@ void write_page(const CompareCommand& command, const Comparison& comparison) {
     entry.passed = comparison.verdict.passed;
     entry.decided = comparison.decided;
     entry.verdict = comparison.verdict;
-    entry.facts = {{"relMSE of A", fmt::format("{:.3g}", comparison.metrics.rel_mse)},
-                   {"mean error", fmt::format("{:+.3f} %", 100 * comparison.metrics.rel_error)}};
+    const Metrics metrics = comparison.metrics();
+    entry.facts = {{"relMSE of A", fmt::format("{:.3g}", metrics.rel_mse)},
+                   {"mean error", fmt::format("{:+.3f} %", 100 * metrics.rel_error)}};
     entry.image = a;
     entry.reference = b;
     entry.details = comparison;
@@ -96,14 +97,15 @@ void write_page(const CompareCommand& command, const Comparison& comparison) {
 void print(const Comparison& comparison) {
     fmt::print("{}\n", comparison.verdict.sentence);
     for (const std::string& hint : comparison.verdict.hints) fmt::print("note: {}\n", hint);
-    if (comparison.equal || comparison.z_map.z.empty()) return;
-    if (comparison.metrics_b) {
-        print_metrics("A against the reference", comparison.metrics);
+    const std::optional<Measured>& measured = comparison.verdict.measured;
+    if (comparison.equal || !measured) return;
+    if (comparison.metrics_a) {
+        print_metrics("A against the reference", *comparison.metrics_a);
         print_metrics("B against the reference", *comparison.metrics_b);
     } else {
-        print_metrics("A against B", comparison.metrics);
+        print_metrics("A against B", measured->metrics);
     }
-    print_z_map(comparison.z_map);
+    print_z_map(measured->z_map);
 }
 
 ExitCode run_compare(CompareCommand command) {

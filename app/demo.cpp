@@ -28,8 +28,14 @@ struct DemoOptions {
     bool json = false;
 };
 
+// All 0 if the image could not be judged.
+Metrics metrics_of(const JudgedScene& judged) {
+    return judged.judgement.verdict.measured.value_or(Measured{}).metrics;
+}
+
 ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {
     const IndependentResult& judgement = judged.judgement;
+    const Metrics metrics = metrics_of(judged);
     ReportEntry entry;
     entry.scene = judged.scene;
     entry.title = judged.title;
@@ -49,8 +55,8 @@ ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {
     entry.facts = {{"samples a pixel", std::to_string(judged.image.provenance.spp)},
                    {"tracing", human_duration(judged.seconds)},
                    {"speed", human_count(rays) + "rays/s"},
-                   {"relMSE", fmt::format("{:.2g}", judgement.metrics.rel_mse)},
-                   {"mean error", fmt::format("{:+.3f} %", 100 * judgement.metrics.rel_error)}};
+                   {"relMSE", fmt::format("{:.2g}", metrics.rel_mse)},
+                   {"mean error", fmt::format("{:+.3f} %", 100 * metrics.rel_error)}};
     entry.image = judged.image;
     entry.reference = reference;
     for (const BounceCounts& bounce : judged.ledger.bounces)
@@ -67,7 +73,7 @@ std::string machine_line() {
 void print_row(const JudgedScene& judged) {
     fmt::print("{:6} {:20} {:14} {:>5} spp {:>9} {:>9.2g}  {}\n", judged.passed ? "PASS" : "FAIL",
                judged.scene, judged.lab, judged.image.provenance.spp,
-               human_duration(judged.seconds), judged.judgement.metrics.rel_mse,
+               human_duration(judged.seconds), metrics_of(judged).rel_mse,
                judged.passed ? "" : judged.judgement.verdict.sentence);
     for (const ExpectationResult& expectation : judged.expectations)
         if (!expectation.met) fmt::print("       {}\n", expectation.sentence);

@@ -21,13 +21,6 @@ struct ImportOptions {
     bool force = false, quiet = false;
 };
 
-std::string bytes_of(const fs::path& path) {
-    std::string bytes;
-    const std::string problem = read_file(path, bytes);
-    if (!problem.empty()) throw SceneError(problem);
-    return bytes;
-}
-
 ExitCode run_import(const ImportOptions& options) {
     const fs::path file = options.file, output = options.output;
     if (ending_of(output) != ".json")
@@ -37,8 +30,10 @@ ExitCode run_import(const ImportOptions& options) {
         throw UsageError(fmt::format("'{}' is there already, perhaps edited: choose another name, "
                                      "or say --force to replace it",
                                      options.output));
-    const auto read = [&](const std::string& name) { return bytes_of(file.parent_path() / name); };
-    const Mesh mesh = parse_mesh(bytes_of(file), file.string(), read, MeshLook::own);
+    const auto read = [&](const std::string& name) {
+        return read_file_or_throw(file.parent_path() / name);
+    };
+    const Mesh mesh = parse_mesh(read_file_or_throw(file), file.string(), read, MeshLook::own);
     prepare_output(options.output);
     const fs::path folder = fs::absolute(output).parent_path();
     const std::string name = fs::proximate(fs::absolute(file), folder).generic_string();

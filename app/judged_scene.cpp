@@ -2,6 +2,7 @@
 
 #include "common/image/image_file.h"
 #include "common/load/load.h"
+#include "common/render/render.h"
 
 #include <fmt/format.h>
 
@@ -22,20 +23,16 @@ JudgedScene judge_scene(const Lab& lab, const Scene& scene, const Image& referen
     options.first_seed = first_seed;
     options.spp = std::max(1, scene.render.spp / options.replicates);
     std::vector<Image> first_stage;
-    const auto render = [&](std::uint32_t seed, int spp) {
-        Scene replicate = scene;
-        replicate.render.seed = seed;
-        const std::unique_ptr<Renderer> renderer = lab.make(replicate, machine);
-        for (int i = 0; i < spp; ++i) renderer->add_iteration();
-        const Ledger ledger = renderer->ledger();
-        judged.seconds += ledger.seconds;
-        if (seed == first_seed) judged.ledger = ledger;
-        Image image = develop(*renderer, replicate);
+    const std::unique_ptr<Renderer> renderer = lab.make(scene, machine);
+    const auto replicate = [&](std::uint32_t seed, int spp) {
+        Render drawn = render(*renderer, scene, scene.camera, seed, spp);
+        judged.seconds += drawn.ledger.seconds;
+        if (seed == first_seed) judged.ledger = std::move(drawn.ledger);
         if (first_stage.size() < static_cast<std::size_t>(options.replicates))
-            first_stage.push_back(image);
-        return image;
+            first_stage.push_back(drawn.image);
+        return std::move(drawn.image);
     };
-    judged.judgement = judge_independent(render, reference, options);
+    judged.judgement = judge_independent(replicate, reference, options);
     judged.image = judged.judgement.mean;
     judged.first = first_stage.front();
     judged.passed = judged.judgement.verdict.passed;

@@ -2,7 +2,8 @@
 // that the scene promises.
 #pragma once
 
-#include "app/replicates.h"
+#include "app/expectation.h"
+#include "app/labs.h"
 #include "grader/judge/independent.h"
 #include "grader/judge/same_paths.h"
 

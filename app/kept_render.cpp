@@ -23,14 +23,13 @@ class SetAside {
     void set(const Renderer& renderer) {
         const std::lock_guard lock(mutex_);
         const double begin = now();
-        kept_.ledger = renderer.ledger();
-        develop(renderer, scene_, kept_.ledger, kept_.image);
+        develop(renderer, scene_, kept_);
         time_ = now();
         seconds_ = time_ - begin;
     }
     bool is_due() const { return now() - time_ > std::max(1.0, 50 * seconds_); }
 
-    KeptRender take() {
+    Render take() {
         const std::lock_guard lock(mutex_);
         return std::move(kept_);
     }
@@ -38,28 +37,24 @@ class SetAside {
   private:
     const Scene& scene_;
     std::mutex mutex_;
-    KeptRender kept_;
+    Render kept_;
     double time_ = now(), seconds_ = 0;
 };
 
 } // namespace
 
-KeptRender render_and_keep(const Lab& lab, const Scene& scene, const MachineSettings& machine,
-                           int spp,
-                           const std::function<void(const Renderer&, int done)>& after_sample,
-                           const std::function<void()>& tick) {
+Render render_and_keep(const Lab& lab, const Scene& scene, const MachineSettings& machine, int spp,
+                       const std::function<void(const Renderer&, int done)>& after_sample,
+                       const std::function<void()>& tick) {
     // All that the thread uses outlives this call: it may go on when it is given up.
     const auto aside = std::make_shared<SetAside>(scene);
     const auto work = [aside, &lab, &scene, machine, spp, after_sample] {
         const std::unique_ptr<Renderer> renderer = lab.make(scene, machine);
-        int done = 0;
-        while (done < spp && !interrupted()) {
-            renderer->add_iteration();
-            ++done;
+        const auto keep = [&](int done) {
             after_sample(*renderer, done);
             if (aside->is_due()) aside->set(*renderer);
-        }
-        if (done > 0) aside->set(*renderer);
+        };
+        if (add_samples(*renderer, spp, keep, interrupted) > 0) aside->set(*renderer);
     };
     run_interruptibly(work, tick);
     return aside->take();

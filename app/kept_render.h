@@ -2,19 +2,15 @@
 #pragma once
 
 #include "app/labs.h"
-#include "common/image/image.h"
+#include "common/render/render.h"
 
 #include <functional>
 
 namespace raylab::app {
 
-struct KeptRender {
-    Image image;   // of as many samples as the ledger has
-    Ledger ledger; // samples = 0: not one was finished, and there is no image
-};
-
-// Draws spp samples, or as many as are finished when a signal comes. after_sample(renderer, done)
-// is called on the render's thread, tick() every now and then on this one.
+// Draws spp samples, or as many as are finished when a signal comes: if the ledger has none, there
+// is no image. after_sample(renderer, done) is called on the render's thread, tick() every now and
+// then on this one.
 //
 // The sample that is running when the signal comes has a second to be finished: the image is then
 // that of `--spp` so many, bit for bit. A sample of a large image takes longer, and a renderer
@@ -23,9 +19,8 @@ struct KeptRender {
 //
 // If interrupted() afterwards, the renderer may still be at work on the scene, and after_sample()
 // be called: end with end_interrupted().
-KeptRender render_and_keep(const Lab& lab, const Scene& scene, const MachineSettings& machine,
-                           int spp,
-                           const std::function<void(const Renderer&, int done)>& after_sample,
-                           const std::function<void()>& tick);
+Render render_and_keep(const Lab& lab, const Scene& scene, const MachineSettings& machine, int spp,
+                       const std::function<void(const Renderer&, int done)>& after_sample,
+                       const std::function<void()>& tick);
 
 } // namespace raylab::app

@@ -21,20 +21,36 @@ namespace raylab::app {
 const std::vector<Lab>& labs() {
     static const std::vector<Lab> all = {
 #if __has_include("labs/01_recursive/renderer.h")
-        {"01", "01_recursive", "the recursive tracer, plain C++", lab01::make_renderer,
-         lab01::memory_use},
+        {.number = "01",
+         .folder = "01_recursive",
+         .title = "the recursive tracer, plain C++",
+         .make = lab01::make_renderer,
+         .memory = lab01::memory_use},
 #endif
 #if __has_include("labs/02_iterative/renderer.h")
-        {"02", "02_iterative", "the iterative kernel, one CUDA thread a pixel",
-         lab02::make_renderer, lab02::memory_use},
+        {.number = "02",
+         .folder = "02_iterative",
+         .title = "the iterative kernel, one CUDA thread a pixel",
+         .make = lab02::make_renderer,
+         .memory = lab02::memory_use},
 #endif
 #if __has_include("labs/03_wavefront/renderer.h")
-        {"03", "03_wavefront", "the wavefront: a pool of rays, one launch a stage and bounce",
-         lab03::make_renderer, lab03::memory_use, true, true},
+        {.number = "03",
+         .folder = "03_wavefront",
+         .title = "the wavefront: a pool of rays, one launch a stage and bounce",
+         .make = lab03::make_renderer,
+         .memory = lab03::memory_use,
+         .has_pool = true,
+         .has_wavefront = true},
 #endif
 #if __has_include("labs/04_accel/renderer.h")
-        {"04", "04_accel", "KD-trees and hierarchies of boxes over the wavefront's triangles",
-         lab04::make_renderer, lab04::memory_use, true, false, lab04::accels},
+        {.number = "04",
+         .folder = "04_accel",
+         .title = "KD-trees and hierarchies of boxes over the wavefront's triangles",
+         .make = lab04::make_renderer,
+         .memory = lab04::memory_use,
+         .has_pool = true,
+         .accels = lab04::accels},
 #endif
     };
     return all;

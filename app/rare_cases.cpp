@@ -3,6 +3,7 @@
 #include "common/cli/progress.h"
 #include "common/load/load.h"
 #include "common/math/index.h"
+#include "common/render/render.h"
 
 #include <algorithm>
 
@@ -57,7 +58,7 @@ struct Contestant {
     std::vector<double> seconds = {}; // a sample, of each round
     double time(int iterations) {
         const double before = renderer->ledger().seconds;
-        for (int i = 0; i < iterations; ++i) renderer->add_iteration();
+        add_samples(*renderer, iterations);
         seconds.push_back((renderer->ledger().seconds - before) / iterations);
         return seconds.back();
     }

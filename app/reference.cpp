@@ -1,12 +1,14 @@
 // raylab reference: the images that others are judged against, each with its own standard error.
 #include "app/commands.h"
 #include "app/interrupted.h"
+#include "app/labs.h"
 #include "app/output.h"
-#include "app/replicates.h"
 #include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
+#include "common/image/mean.h"
 #include "common/load/load.h"
+#include "common/render/render.h"
 
 #include <fmt/format.h>
 
@@ -27,8 +29,7 @@ struct ReferenceOptions {
 // What is finished of a reference.
 struct Finished {
     std::mutex mutex;
-    ReplicateMean mean;
-    int replicates = 0;
+    ImageMean mean;
 };
 
 void write_reference(const Image& image, const std::string& path, double seconds) {
@@ -54,46 +55,42 @@ int spp_of(const std::string& path, const Scene& scene) try {
 
 // 16 times the scene's own samples, in replicates with seeds of their own.
 void make_reference(const ReferenceOptions& options, const std::string& name) {
-    ReplicateJob job = {&find_lab(options.lab), load_scene(find_scene(name)), options.machine,
-                        options.seed};
-    const int total = options.spp > 0 ? options.spp : 16 * job.scene.render.spp;
-    job.scene.render.spp = std::max(1, total / options.replicates);
-    const std::string path = fmt::format("{}/{}.exr", options.folder, job.scene.name);
+    const Lab& lab = find_lab(options.lab);
+    const Scene scene = load_scene(find_scene(name));
+    const int total = options.spp > 0 ? options.spp : 16 * scene.render.spp;
+    const int spp = std::max(1, total / options.replicates);
+    const std::string path = fmt::format("{}/{}.exr", options.folder, scene.name);
     prepare_image_output(path);
 
     Finished finished;
-    Progress progress(job.scene.name, options.replicates, "samples",
-                      double(job.scene.render.spp) * job.scene.camera.width *
-                          job.scene.camera.height);
+    Progress progress(scene.name, options.replicates, "samples",
+                      double(spp) * scene.camera.width * scene.camera.height);
     const auto work = [&] {
+        const std::unique_ptr<Renderer> renderer = lab.make(scene, options.machine);
         for (int r = 0; r < options.replicates && !interrupted(); ++r) {
-            const Image image = render_replicate(job, r);
+            const std::uint32_t seed = options.seed + static_cast<std::uint32_t>(r);
+            const Image image = render(*renderer, scene, scene.camera, seed, spp).image;
             const std::lock_guard lock(finished.mutex);
             finished.mean.add(image);
-            progress.update(finished.replicates = r + 1);
+            progress.update(finished.mean.count());
         }
     };
     const KeepsWork keeping;
     run_interruptibly(work, [&] { progress.tick(); });
     const std::lock_guard lock(finished.mutex);
-    const auto mean = [&] {
-        Image image = finished.mean.mean();
-        image.provenance.seed = options.seed;
-        return image;
-    };
     progress.clear();
-    if (!interrupted()) return write_reference(mean(), path, progress.seconds());
+    if (!interrupted()) return write_reference(finished.mean.mean(), path, progress.seconds());
     end_interrupted([&] {
-        if (finished.replicates < 2)
+        if (finished.mean.count() < 2)
             return say_interrupted(
                 fmt::format(": '{}' was not written, since a variance takes two replicates", path));
-        const Image image = mean();
-        if (const int spp = spp_of(path, job.scene); spp > image.provenance.spp)
+        const Image image = finished.mean.mean();
+        if (const int there = spp_of(path, scene); there > image.provenance.spp)
             return say_interrupted(fmt::format(": '{}' stays as it was, with {} spp where {} were "
                                                "finished",
-                                               path, spp, image.provenance.spp));
+                                               path, there, image.provenance.spp));
         write_reference(image, path, progress.seconds());
-        say_interrupted(fmt::format(": '{}' has {} of {} replicates", path, finished.replicates,
+        say_interrupted(fmt::format(": '{}' has {} of {} replicates", path, finished.mean.count(),
                                     options.replicates));
     });
 }

@@ -50,8 +50,7 @@ void print_summary(const Ledger& ledger, const std::string& output) {
 }
 
 // The image, and what is said of it.
-void write_render(const RenderOptions& options, const KeptRender& render,
-                  const std::string& output) {
+void write_render(const RenderOptions& options, const Render& render, const std::string& output) {
     write_image(render.image, output);
     if (!options.stats.empty()) write_file(options.stats, to_json(render.ledger) + "\n");
     if (options.json)
@@ -88,13 +87,13 @@ ExitCode run_render(const RenderOptions& options) {
     const auto after_sample = [&](const Renderer& renderer, int done) {
         if (progress) progress->update(done);
         if (std::binary_search(options.snapshots.begin(), options.snapshots.end(), done))
-            write_image(develop(renderer, scene), snapshot_path(output, done));
+            write_image(develop(renderer, scene).image, snapshot_path(output, done));
     };
     const auto tick = [&] {
         if (progress) progress->tick();
     };
     const KeepsWork keeping;
-    const KeptRender render = render_and_keep(lab, scene, options.machine, spp, after_sample, tick);
+    const Render render = render_and_keep(lab, scene, options.machine, spp, after_sample, tick);
     if (progress) progress->clear();
     const int samples = render.ledger.samples;
     if (!interrupted()) {

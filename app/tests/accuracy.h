@@ -11,6 +11,7 @@
 #include "app/labs.h"
 #include "common/geometry/make_quad.h"
 #include "common/load/load.h"
+#include "common/render/render.h"
 #include "common/sampling/tests/statistics.h"
 #include "common/scene/quad_groups.h"
 #include "common/scene/sphere_groups.h"
@@ -122,13 +123,12 @@ struct Traced {
 inline Traced trace(const std::string& lab, const Scene& scene, int spp) {
     const std::unique_ptr<Renderer> renderer = find_lab(lab).make(scene, {});
     Traced traced;
-    for (int i = 0; i < spp; ++i) {
-        renderer->add_iteration();
+    add_samples(*renderer, spp, [&](int) {
         const std::vector<PathRecord> records = renderer->records();
         traced.records.insert(traced.records.end(), records.begin(), records.end());
-    }
+    });
     traced.film = renderer->film();
-    traced.ledger = renderer->ledger();
+    traced.ledger = develop(*renderer, scene).ledger;
     return traced;
 }
 

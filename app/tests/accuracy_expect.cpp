@@ -1,6 +1,6 @@
 // Every bundled scene keeps what it promises: its `expect` is met, and would not be by 10 % more
 // light.
-#include "app/replicates.h"
+#include "app/expectation.h"
 #include "app/tests/accuracy.h"
 
 namespace raylab::app {
@@ -19,9 +19,11 @@ std::vector<Image> render(const Lab& lab, Scene scene, const Expectation& expect
     scene.render.spp = std::max(expectation.spp, 1);
     const bool in_full = count(0, 1);
     while (!in_full && scene.render.spp > 1 && rays_of(scene) > 40'000) scene.render.spp /= 2;
+    const std::unique_ptr<Renderer> renderer = lab.make(scene, {});
     std::vector<Image> images;
     for (int r = 0; r < replicates; ++r)
-        images.push_back(render_replicate({&lab, scene, {}, 1000}, r));
+        images.push_back(
+            raylab::render(*renderer, scene, scene.camera, 1000 + r, scene.render.spp).image);
     return images;
 }
 

@@ -5,6 +5,7 @@
 #include "app/labs.h"
 #include "app/scene_changes.h"
 #include "common/load/load.h"
+#include "common/render/render.h"
 
 #include <algorithm>
 #include <cstring>
@@ -31,10 +32,7 @@ inline Traced trace(const std::string& lab, const Scene& scene, const MachineSet
                     int spp) {
     const std::unique_ptr<Renderer> renderer = find_lab(lab).make(scene, machine);
     Traced traced;
-    for (int i = 0; i < spp; ++i) {
-        renderer->add_iteration();
-        traced.records.push_back(renderer->records());
-    }
+    add_samples(*renderer, spp, [&](int) { traced.records.push_back(renderer->records()); });
     traced.film = renderer->film();
     return traced;
 }

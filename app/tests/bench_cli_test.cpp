@@ -15,10 +15,7 @@ using testing::HasSubstr;
 class BenchCli : public Cli {
   protected:
     // A quad under a lamp, in the variant of kernels that is quickest.
-    void SetUp() override {
-        Cli::SetUp();
-        write_room("room.json", "0.8");
-    }
+    void SetUp() override { write_room("room.json", "0.8"); }
 
     void write_room(const std::string& name, const std::string& albedo) const {
         write(name, R"({

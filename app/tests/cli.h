@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/tests/shell.h"
+#include "common/cli/tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,6 @@ inline Outcome raylab(const std::string& arguments) {
 
 class Cli : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "raylab-cli-XXXXXX").string();
-        folder = mkdtemp(pattern.data());
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
     std::string in(const std::string& name) const { return (folder / name).string(); }
 
     void write(const std::string& name, const std::string& text) const {
@@ -62,7 +57,8 @@ class Cli : public testing::Test {
         EXPECT_FALSE(fs::exists(in("o.exr"))) << arguments;
     }
 
-    fs::path folder;
+    TemporaryFolder temporary;
+    const fs::path folder = temporary.path();
 };
 
 } // namespace raylab::app

@@ -2,6 +2,7 @@
 #include "app/import_scene.h"
 
 #include "app/labs.h"
+#include "common/cli/tests/temporary_folder.h"
 #include "common/load/load.h"
 
 #include <gmock/gmock.h>
@@ -20,16 +21,7 @@ using testing::HasSubstr;
 
 class Import : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "raylab-import-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& bytes) {
-        std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    }
+    void write(const std::string& name, const std::string& bytes) { folder_.write(name, bytes); }
     ImportedScene import(const std::string& name) {
         const auto read = [&](const std::string& file) {
             std::ifstream in(folder_ / file, std::ios::binary);
@@ -40,7 +32,7 @@ class Import : public testing::Test {
     }
     Scene load(const std::string& text) { return parse_scene(text, folder_ / "s.json"); }
 
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 const std::string square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";

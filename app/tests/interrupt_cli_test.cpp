@@ -60,7 +60,6 @@ void sleep_seconds(double seconds) {
 class InterruptCli : public Cli {
   protected:
     void SetUp() override {
-        Cli::SetUp();
         write_scene("s.json");
         // Lab 01 tests every triangle: some seconds a sample.
         write_scene("slow.json", R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,)",

@@ -17,7 +17,6 @@ class MemoryCli : public Cli {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         GTEST_SKIP() << "sanitizers take more address space than these limits leave";
 #endif
-        Cli::SetUp();
         write_scene("s.json");
     }
 

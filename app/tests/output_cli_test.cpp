@@ -13,7 +13,6 @@ using testing::Not;
 class OutputCli : public Cli {
   protected:
     void SetUp() override {
-        Cli::SetUp();
         write_scene("s.json");
         write("file", "a file, not a folder");
     }

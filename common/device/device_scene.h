@@ -3,6 +3,7 @@
 
 #include "common/device/device_array.h"
 #include "common/scene/scene_arrays.h"
+#include "common/scene/set_camera.h"
 
 #include <cstddef>
 
@@ -18,6 +19,9 @@ class DeviceScene {
     }
 
     const SceneView& view() const { return view_; }
+
+    // Throws as the function of this name does (common/scene/set_camera.h).
+    void set_camera(const Camera& camera) { raylab::set_camera(view_, camera); }
 
   private:
     std::vector<DeviceArray<std::byte>> memory_; // one for each array

@@ -1,6 +1,8 @@
 // Why a file cannot be read, in words.
 #include "common/load/read_file.h"
 
+#include "common/load/scene_error.h"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -25,6 +27,13 @@ std::string read_file(const std::filesystem::path& path, std::string& bytes) {
     if (!file || !file.read(bytes.data(), std::streamsize(size)))
         return fmt::format("cannot read {}: {}", name, std::strerror(errno));
     return "";
+}
+
+std::string read_file_or_throw(const std::filesystem::path& path) {
+    std::string bytes;
+    if (const std::string problem = read_file(path, bytes); !problem.empty())
+        throw SceneError(problem);
+    return bytes;
 }
 
 } // namespace raylab

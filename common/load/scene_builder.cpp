@@ -215,10 +215,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& where) {
 }
 
 Scene load_scene(const std::filesystem::path& file) {
-    std::string text;
-    if (const std::string problem = read_file(file, text); !problem.empty())
-        throw SceneError(problem);
-    return parse_scene(text, file);
+    return parse_scene(read_file_or_throw(file), file);
 }
 
 } // namespace raylab

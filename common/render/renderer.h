@@ -43,9 +43,18 @@ class Renderer {
     // - 1 of each pixel's sequence, so the image after 20 calls is the image of --spp 20.
     virtual void add_iteration() = 0;
 
+    // Begins anew with another camera and seed: the film is empty, sample 0 comes next, and every
+    // bit from here on is that of a new renderer of a scene with this camera and seed. What was
+    // built over the shapes stays. Throws std::invalid_argument if the camera's film has another
+    // size, SettingsError if the settings cannot be met with this camera; then nothing has changed.
+    virtual void restart(const Camera& camera, std::uint32_t seed) = 0;
+
     // The film so far, in host memory: `rows` of its rows from first_row on, or as many as there
     // are.
     virtual Film film(int first_row = 0, int rows = max_film_side) const = 0;
+
+    // What was counted so far: all but Ledger::rejected, which develop() (render.h) adds up while
+    // it reads the film.
     virtual Ledger ledger() const = 0;
 
     // What became of each pixel's path in the last iteration, row by row. For renderers that were
@@ -72,15 +81,9 @@ struct Lab {
     std::vector<AccelSettings> (*accels)() = nullptr;
 };
 
-// A ledger that knows its scene and machine, and has counted nothing yet.
-Ledger begin_ledger(const Scene& scene, const std::string& lab, const std::string& machine);
-
-// The renderer's image so far, with its provenance, in place of what `image` was; `ledger` is the
-// renderer's. The film is copied strip by strip: the image is all the memory that this takes.
-void develop(const Renderer& renderer, const Scene& scene, const Ledger& ledger, Image& image);
-Image develop(const Renderer& renderer, const Scene& scene);
-
-// Samples that were not finite, of all pixels so far. width, height: of the film, in pixels.
-std::uint64_t rejected_samples(const Renderer& renderer, int width, int height);
+// A ledger that knows what is drawn and by whom, and has counted nothing yet. camera: the scene's,
+// or that of Renderer::restart().
+Ledger begin_ledger(const Scene& scene, const Camera& camera, const std::string& lab,
+                    const std::string& machine);
 
 } // namespace raylab

@@ -9,7 +9,9 @@
 
 namespace raylab {
 
-Features features_of(const Scene& scene) {
+Features features_of(const Scene& scene) { return features_of(scene, scene.camera); }
+
+Features features_of(const Scene& scene, const Camera& camera) {
     Features features = 0;
     const auto add_shapes = [&](const auto& shapes, Features shape) {
         for (const auto& s : shapes) { // only materials that some shape has count
@@ -34,7 +36,7 @@ Features features_of(const Scene& scene) {
             features |= feature::area_light;
         }
     }
-    if (scene.camera.lens_radius > 0) features |= feature::lens;
+    if (camera.lens_radius > 0) features |= feature::lens;
     return features;
 }
 

@@ -2,6 +2,13 @@
 
 namespace raylab {
 
+void ResultArrays::clear() {
+    film_.clear();
+    tallies_.clear();
+    shadow_rays_.clear();
+    launched_.assign(launched_.size(), {});
+}
+
 // The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays are
 // sums over the bounces that follow.
 void ResultArrays::write_to(Ledger& ledger) const {

@@ -31,6 +31,9 @@ class ResultArrays {
     }
     std::vector<PathRecord> records() const { return records_.to_host(); }
 
+    // The film is empty and nothing has been counted; the next sample writes new records.
+    void clear();
+
     // Sets the ledger's bounces and its shadow rays.
     void write_to(Ledger& ledger) const;
 

@@ -132,9 +132,11 @@ Comparison compare(const Replicates& replicates_a, const Replicates& replicates_
     result.shared_noise_a = a.shared_noise();
     result.shared_noise_b = b.shared_noise();
     result.equal = same_bits(a.mean(), b.mean());
-    result.z_map = z_map(a.mean(), b.mean());
-    result.metrics = measure(a.mean(), reference ? *reference : b.mean());
-    if (reference) result.metrics_b = measure(b.mean(), *reference);
+    result.verdict.measured = {measure(a.mean(), b.mean()), z_map(a.mean(), b.mean())};
+    if (reference) {
+        result.metrics_a = measure(a.mean(), *reference);
+        result.metrics_b = measure(b.mean(), *reference);
+    }
     if (result.equal) {
         result.decided = result.verdict.passed = true;
         result.verdict.sentence = "The images are equal bit for bit.";
@@ -147,7 +149,7 @@ Comparison compare(const Replicates& replicates_a, const Replicates& replicates_
     if (!result.decided) {
         result.verdict.sentence =
             fmt::format("Not decided: the images differ by {:+.3g} % in mean, and {}",
-                        100 * result.metrics.rel_error, what_would_decide(a, b, whole));
+                        100 * result.metrics().rel_error, what_would_decide(a, b, whole));
         return result;
     }
     for (const std::string& unknown : {ignorance(a, "first", whole), ignorance(b, "second", whole)})

@@ -3,7 +3,6 @@
 // where many replicates can be rendered, tier 2 (independent.h) is the better judge.
 #pragma once
 
-#include "grader/judge/metrics.h"
 #include "grader/judge/moments.h"
 #include "grader/judge/soundness.h"
 
@@ -28,13 +27,16 @@ struct Comparison {
     double shared_noise_a = 1, shared_noise_b = 1; // NoisyImage::shared_noise()
     int tests = 0;                                 // regions x channels
     Region worst_region;
-    int worst_channel = 0;            // 0 red, 1 green, 2 blue
-    TestResult worst;                 // smallest p
-    double worst_relative = 0;        // (a - b) / b there
-    Metrics metrics;                  // of a against b, or against the reference if there is one
-    std::optional<Metrics> metrics_b; // of b against the reference
-    ZMap z_map;                       // of a against b
-    Image mean_a, mean_b;             // over the replicates
+    int worst_channel = 0;     // 0 red, 1 green, 2 blue
+    TestResult worst;          // smallest p
+    double worst_relative = 0; // (a - b) / b there
+    Image mean_a, mean_b;      // over the replicates: verdict.measured is of a against b
+    std::optional<Metrics> metrics_a, metrics_b; // against the reference, if there is one
+
+    // Of a against the reference, or against b if there is none.
+    Metrics metrics() const {
+        return metrics_a ? *metrics_a : verdict.measured ? verdict.measured->metrics : Metrics{};
+    }
 };
 
 // passed means: not distinguishable. Each region's R, G and B by Welch's t, Bonferroni over all.

@@ -53,8 +53,7 @@ bool first_stage(IndependentResult& result, const Replicates& replicates, const 
     result.screening = screen(replicates, tiles, reference.provenance.spp, options.screening);
     result.detectable_relative_error = detectable(result.screening, options.alpha);
     result.mean = mean_of(replicates);
-    result.metrics = measure(result.mean, reference);
-    result.z_map = z_map(result.mean, reference);
+    result.verdict.measured = {measure(result.mean, reference), z_map(result.mean, reference)};
     result.false_alarm_rate = options.alpha;
     if (reference.error.empty())
         result.verdict.hints.push_back("The reference carries no variance and was taken as exact.");
@@ -121,8 +120,9 @@ IndependentResult judge_independent(const RenderReplicate& render, const Image& 
         for (int r = 0; r < options.replicates; ++r) {
             Image image = render(seed + static_cast<std::uint32_t>(r), replicates.spp);
             result.soundness = check_soundness(image, reference.width, reference.height);
-            if (!result.soundness.verdict.passed) {
-                result.verdict = result.soundness.verdict;
+            if (!result.soundness.verdict.passed) { // what the first stage measured stays
+                result.verdict = {
+                    false, result.soundness.verdict.sentence, {}, result.verdict.measured};
                 return false;
             }
             replicates.add(std::move(image));

@@ -12,7 +12,6 @@
 #pragma once
 
 #include "grader/judge/honesty.h"
-#include "grader/judge/metrics.h"
 #include "grader/judge/screening.h"
 #include "grader/judge/soundness.h"
 
@@ -41,9 +40,7 @@ struct IndependentResult {
     // A uniform error of this size would have failed the first stage with 99 % probability.
     double detectable_relative_error = 0;
     Honesty honesty;
-    Image mean; // over the replicates of the first stage, with variance, for display
-    Metrics metrics;
-    ZMap z_map;
+    Image mean; // over the replicates of the first stage, with variance: verdict.measured is of it
 };
 
 IndependentResult judge_independent(const RenderReplicate& render, const Image& reference,

@@ -78,6 +78,7 @@ void to_json(json& j, const ExactResult& r) {
 }
 
 void to_json(json& j, const IndependentResult& r) {
+    const Measured measured = r.verdict.measured.value_or(Measured{});
     j = {{"judge", "independent"},
          {"verdict", r.verdict},
          {"soundness", r.soundness},
@@ -95,8 +96,8 @@ void to_json(json& j, const IndependentResult& r) {
            {"variance_over_reference", to_value(r.honesty.variance_ratio)},
            {"tile_variance_over_independent", r.honesty.tile_ratio},
            {"variance_fall_at_twice_the_samples", to_value(r.honesty.variance_fall)}}},
-         {"metrics", r.metrics},
-         {"z_map", to_object(r.z_map)}};
+         {"metrics", measured.metrics},
+         {"z_map", to_object(measured.z_map)}};
 }
 
 void to_json(json& j, const Comparison& c) {
@@ -109,8 +110,8 @@ void to_json(json& j, const Comparison& c) {
          {"false_alarm_rate", c.false_alarm_rate},
          {"tests", c.tests},
          {"worst", to_object(c.worst)},
-         {"metrics", c.metrics},
-         {"z_map", to_object(c.z_map)}};
+         {"metrics", c.metrics()},
+         {"z_map", to_object(c.verdict.measured.value_or(Measured{}).z_map)}};
     j["worst"]["region"] = c.worst_region;
     j["worst"]["channel"] = c.worst_channel;
     j["worst"]["relative_difference"] = c.worst_relative;

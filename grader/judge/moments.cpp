@@ -1,6 +1,8 @@
 // Moments over replicates, and of a reference whose file holds an error a pixel and channel.
 #include "grader/judge/moments.h"
 
+#include "common/image/mean.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -42,23 +44,11 @@ void Replicates::add(Image image) {
 }
 
 Image mean_of(const Replicates& replicates) {
-    const std::size_t n = replicates.images.size();
-    if (n < 2) throw std::invalid_argument("mean_of: at least two replicates are needed");
-    Image result = replicates.images[0];
-    result.provenance.spp = replicates.spp * static_cast<int>(n);
-    result.error.resize(result.pixels());
-    for (std::size_t i = 0; i < result.pixels(); ++i) {
-        DVec3 sum(0), squares(0);
-        for (const Image& image : replicates.images) sum += DVec3(image.mean[i]);
-        const DVec3 mean = sum / double(n);
-        for (const Image& image : replicates.images) {
-            const DVec3 d = DVec3(image.mean[i]) - mean;
-            squares += d * d;
-        }
-        result.mean[i] = Vec3(mean);
-        result.error[i] = Vec3(glm::sqrt(squares / double(n * (n - 1))));
-    }
-    return result;
+    ImageMean sum;
+    for (const Image& image : replicates.images) sum.add(image);
+    Image mean = sum.mean();
+    mean.provenance.spp = replicates.spp * replicates.count();
+    return mean;
 }
 
 Moments moments_of(const Replicates& replicates, const Region& region, double* kurtosis) {

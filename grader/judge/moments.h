@@ -19,8 +19,7 @@ struct Replicates {
     void add(Image image);
 };
 
-// Mean over replicates, and per pixel the standard error of that mean:
-//     error^2 = sum (x_r - mean)^2 / (R (R - 1)).
+// Mean over replicates, and per pixel the standard error of that mean (common/image/mean.h).
 Image mean_of(const Replicates& replicates);
 
 // Mean R, G, B of a region, and the covariance of that mean.

@@ -1,16 +1,28 @@
-// What every judgement ends in: passed or not, and one sentence for people that says what was
-// measured.
+// What every judgement ends in: passed or not, one sentence for people that says what was measured,
+// and the figures.
 #pragma once
 
+#include "grader/judge/metrics.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raylab {
 
+// Of an image against another of the same size. Measured once, by the judge; who shows a verdict
+// shows these.
+struct Measured {
+    Metrics metrics;
+    ZMap z_map;
+};
+
 struct Verdict {
     bool passed = false;
     std::string sentence;
-    std::vector<std::string> hints; // worth knowing, never decided on
+    std::vector<std::string> hints = {}; // worth knowing, never decided on
+    // Of the two images that were judged; nothing if one of them is unsound.
+    std::optional<Measured> measured = {};
 };
 
 // A rectangle of pixels, [x0, x1) x [y0, y1).

@@ -23,7 +23,7 @@ struct ReportEntry {
     std::string lab;
     bool passed = false;         // all of the verdicts below
     bool decided = true;         // false: what is known cannot decide; the verdict says what would
-    Verdict verdict;             // the main one
+    Verdict verdict;             // the main one, of image and reference
     std::vector<Verdict> checks; // further ones: closed forms, the same paths as another lab
     double seconds = 0;
     std::vector<Fact> facts;               // shown as they are
@@ -32,7 +32,8 @@ struct ReportEntry {
     nlohmann::json details;                // the judgements in full, for results.json
 };
 
-// Whether there are an image and a reference of the same size, so that they can be compared.
+// Whether there are an image and a reference of the same size, so that they are shown together,
+// with what the verdict measured of them.
 bool has_pair(const ReportEntry& entry);
 
 struct Report {

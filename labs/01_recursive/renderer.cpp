@@ -1,6 +1,7 @@
 // Lab 01: threads over tiles, one recursion a pixel and iteration.
 #include "labs/01_recursive/renderer.h"
 
+#include "common/scene/set_camera.h"
 #include "common/transport/emission.h"
 #include "labs/01_recursive/camera.h"
 #include "labs/01_recursive/threads.h"
@@ -28,21 +29,19 @@ constexpr std::size_t stack_bytes_base = 1 << 20;
 class RecursiveRenderer final : public Renderer {
   public:
     RecursiveRenderer(const Scene& scene, const MachineSettings& machine)
-        : scene_(scene), view_(view(scene)), film_(scene.camera.width, scene.camera.height),
+        : scene_(scene), view_(view(scene)), settings_(scene.render),
+          film_(scene.camera.width, scene.camera.height),
           records_(machine.records ? film_.pixels.size() : 0),
-          ledger_(begin_ledger(scene, "01_recursive", "")),
           threads_(machine.threads > 0 ? machine.threads
-                                       : static_cast<int>(std::thread::hardware_concurrency())) {
-        ledger_.machine = fmt::format("host, {} threads", threads_);
-    }
+                                       : static_cast<int>(std::thread::hardware_concurrency())),
+          ledger_(empty_ledger()) {}
 
     void add_iteration() override {
         const auto start = std::chrono::steady_clock::now();
         const int columns = (film_.width + tile_size - 1) / tile_size;
         const int tiles = columns * ((film_.height + tile_size - 1) / tile_size);
         std::atomic<int> next_tile = 0;
-        const std::size_t stack =
-            stack_bytes_base + stack_bytes_per_bounce * scene_.render.max_depth;
+        const std::size_t stack = stack_bytes_base + stack_bytes_per_bounce * settings_.max_depth;
 
         run_on_threads(std::min(threads_, tiles), stack, [&] {
             Ledger counts; // each thread counts for itself, and adds up once at the end
@@ -55,6 +54,13 @@ class RecursiveRenderer final : public Renderer {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    void restart(const Camera& camera, std::uint32_t seed) override {
+        set_camera(view_, camera);
+        settings_.seed = seed;
+        std::fill(film_.pixels.begin(), film_.pixels.end(), FilmPixel{});
+        ledger_ = empty_ledger();
+    }
+
     Film film(int first_row, int rows) const override {
         Film strip(film_.width, std::min(rows, film_.height - first_row));
         std::copy_n(film_.pixels.begin() + std::ptrdiff_t{first_row} * film_.width,
@@ -62,14 +68,14 @@ class RecursiveRenderer final : public Renderer {
         return strip;
     }
     std::vector<PathRecord> records() const override { return records_; }
-
-    Ledger ledger() const override {
-        Ledger ledger = ledger_;
-        ledger.rejected = rejected_samples(*this, film_.width, film_.height);
-        return ledger;
-    }
+    Ledger ledger() const override { return ledger_; }
 
   private:
+    Ledger empty_ledger() const {
+        return begin_ledger(scene_, view_.camera, "01_recursive",
+                            fmt::format("host, {} threads", threads_));
+    }
+
     void render_tile(int x0, int y0, Ledger& counts) {
         for (int y = y0; y < std::min(y0 + tile_size, film_.height); ++y)
             for (int x = x0; x < std::min(x0 + tile_size, film_.width); ++x) {
@@ -83,13 +89,13 @@ class RecursiveRenderer final : public Renderer {
 
     // One sample of one pixel. The random numbers are keyed by pixel and sample, never by thread.
     Vec3 trace_pixel(int x, int y, int pixel, PathRecord& record) const {
-        const RenderSettings& settings = scene_.render;
-        const Sampler sampler = {settings.sampler, settings.seed, static_cast<std::uint32_t>(pixel),
+        const Sampler sampler = {settings_.sampler, settings_.seed,
+                                 static_cast<std::uint32_t>(pixel),
                                  static_cast<std::uint32_t>(ledger_.samples)};
-        const Ray ray = camera_ray(view_.camera, x, y, film_point(settings.jitter, sampler),
+        const Ray ray = camera_ray(view_.camera, x, y, film_point(settings_.jitter, sampler),
                                    sampler.get_2d(dimension::lens));
-        const Path path = {view_, settings, sampler, record};
-        return settings.integrator == Integrator::path
+        const Path path = {view_, settings_, sampler, record};
+        return settings_.integrator == Integrator::path
                    ? trace_path(path, ray, 0, delta_pdf, Vec3(1))
                    : trace_whitted(path, ray, 0, 1);
     }
@@ -115,11 +121,12 @@ class RecursiveRenderer final : public Renderer {
     }
 
     const Scene& scene_;
-    SceneView view_;
+    SceneView view_;          // whose camera is the last restart's,
+    RenderSettings settings_; // and whose seed
     Film film_;
     std::vector<PathRecord> records_; // of the last iteration
-    Ledger ledger_;
     int threads_;
+    Ledger ledger_;
     std::mutex mutex_;
 };
 

@@ -75,14 +75,15 @@ class IterativeRenderer final : public Renderer {
   public:
     IterativeRenderer(const Scene& scene, const MachineSettings& machine)
         : host_scene_(scene), machine_(machine), features_(features_of(scene)), scene_(scene),
-          pixels_(scene.camera.width * scene.camera.height), film_(pixels_), records_(pixels_),
+          settings_(scene.render), pixels_(scene.camera.width * scene.camera.height),
+          film_(pixels_), records_(pixels_),
           max_bounces_(scene.render.integrator == Integrator::path ? scene.render.max_depth : 64),
           tallies_(static_cast<std::size_t>(shards) * max_bounces_), shadow_rays_(shards) {}
 
     void add_iteration() override {
         const auto start = std::chrono::steady_clock::now();
         configure_machine(machine_);
-        const Iteration iteration = {host_scene_.render, samples_};
+        const Iteration iteration = {settings_, samples_};
         const int block = machine_.block_size;
         with_variant(features_, [&]<Features F>() {
             const auto kernel = iteration.settings.integrator == Integrator::path
@@ -104,6 +105,17 @@ class IterativeRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    void restart(const Camera& camera, std::uint32_t seed) override {
+        scene_.set_camera(camera);
+        features_ = features_of(host_scene_, camera);
+        settings_.seed = seed;
+        film_.clear();
+        tallies_.clear();
+        shadow_rays_.clear();
+        samples_ = 0;
+        seconds_ = 0;
+    }
+
     Film film(int first_row, int rows) const override {
         const Camera& camera = host_scene_.camera;
         Film strip(camera.width, std::min(rows, camera.height - first_row));
@@ -119,7 +131,8 @@ class IterativeRenderer final : public Renderer {
     const Scene& host_scene_;
     MachineSettings machine_;
     Features features_;
-    DeviceScene scene_;
+    DeviceScene scene_;       // whose camera is the last restart's,
+    RenderSettings settings_; // and whose seed
     int pixels_;
     DeviceArray<FilmPixel> film_;
     DeviceArray<PathRecord> records_;
@@ -133,7 +146,7 @@ class IterativeRenderer final : public Renderer {
 // The shards are added up; a path that ended in bounce b was alive in bounces 0 to b, so rays and
 // lanes are sums over the bounces that follow.
 Ledger IterativeRenderer::ledger() const {
-    Ledger ledger = begin_ledger(host_scene_, "02_iterative", machine_name());
+    Ledger ledger = begin_ledger(host_scene_, scene_.view().camera, "02_iterative", machine_name());
     ledger.samples = static_cast<int>(samples_);
     ledger.seconds = seconds_;
     const int block = machine_.block_size;
@@ -159,7 +172,6 @@ Ledger IterativeRenderer::ledger() const {
         counts.lanes = warps_busy * warp_lanes;
     }
     for (const unsigned long long count : shadow_rays_.to_host()) ledger.shadow_rays += count;
-    ledger.rejected = rejected_samples(*this, host_scene_.camera.width, host_scene_.camera.height);
     return ledger;
 }
 

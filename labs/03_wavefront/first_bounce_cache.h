@@ -19,16 +19,17 @@ namespace raylab::lab03 {
 
 // Why camera rays differ from one iteration to the next, and what could be changed; nothing if they
 // are always the same.
-inline std::optional<std::string> no_first_bounce_cache(const Scene& scene) {
+inline std::optional<std::string> no_first_bounce_cache(const Camera& camera,
+                                                        const RenderSettings& render) {
     // Steps:
     // 1. A lens: say why each sample's ray differs, and what could be changed.
     // 2. Jitter: the same.
     // 3. Else there is nothing to be said.
     //[ task 3.4
-    if (scene.camera.lens_radius > 0)
+    if (camera.lens_radius > 0)
         return "the camera has a lens: each sample starts elsewhere on it (lens_radius 0 is a "
                "pinhole)";
-    if (scene.render.jitter)
+    if (render.jitter)
         return "camera rays are jittered within their pixel: each sample starts in another "
                "direction (--jitter false sends all through the middle, without anti-aliasing)";
     return std::nullopt;

@@ -15,6 +15,14 @@ namespace raylab::lab03 {
 
 namespace {
 
+// Throws SettingsError where a cache is asked for and would be wrong.
+void check_first_bounce_cache(const WavefrontSettings& settings, const Camera& camera,
+                              const RenderSettings& render) {
+    if (!settings.first_bounce_cache) return;
+    if (const auto why_not = no_first_bounce_cache(camera, render))
+        throw SettingsError("a first-bounce cache would be wrong here: " + *why_not);
+}
+
 class WavefrontRenderer final : public Renderer {
   public:
     WavefrontRenderer(const Scene& scene, const MachineSettings& machine, int pool_paths)
@@ -35,6 +43,13 @@ class WavefrontRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    void restart(const Camera& camera, std::uint32_t seed) override {
+        check_first_bounce_cache(machine_.wavefront, camera, scene_.render);
+        wavefront_.restart(camera, seed);
+        samples_ = 0;
+        seconds_ = 0;
+    }
+
     Film film(int first_row, int rows) const override {
         Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
         wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
@@ -44,7 +59,7 @@ class WavefrontRenderer final : public Renderer {
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
 
     Ledger ledger() const override {
-        Ledger ledger = begin_ledger(scene_, "03_wavefront", machine_name());
+        Ledger ledger = begin_ledger(scene_, wavefront_.camera(), "03_wavefront", machine_name());
         ledger.samples = static_cast<int>(samples_);
         ledger.seconds = seconds_;
         ledger.pool_paths = pool_paths_;
@@ -52,7 +67,6 @@ class WavefrontRenderer final : public Renderer {
         ledger.stages = wavefront_.stage_counts();
         for (const StageCounts& stage : ledger.stages) ledger.threads_launched += stage.threads;
         wavefront_.results().write_to(ledger);
-        ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
     }
 
@@ -113,9 +127,7 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const MachineSetting
                             std::to_string(shared_memory_limit) +
                             ": leave the geometry in global memory for this scene");
 
-    if (settings.first_bounce_cache)
-        if (const auto why_not = no_first_bounce_cache(scene))
-            throw SettingsError("a first-bounce cache would be wrong here: " + *why_not);
+    check_first_bounce_cache(settings, scene.camera, scene.render);
 
     const int wanted = wanted_paths(scene, settings);
     const MemoryNeeds needs = memory_needs(scene, settings, wanted, machine.records);

@@ -10,7 +10,7 @@
 namespace raylab::lab03 {
 
 Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int pool_paths)
-    : host_scene_(scene), machine_(machine), settings_(machine.wavefront), scene_(scene),
+    : machine_(machine), settings_(machine.wavefront), scene_(scene), render_(scene.render),
       kernels_(
           choose_kernels(features_of(scene), scene.render.integrator, settings_.shared_geometry)),
       geometry_bytes_(settings_.shared_geometry ? geometry_bytes(scene_.view()) : 0),
@@ -28,8 +28,15 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, int poo
         if (present[kind]) kind_queues_[kind] = DeviceArray<int>(pool_paths);
 }
 
+void Wavefront::restart(const Camera& camera, std::uint32_t seed) {
+    scene_.set_camera(camera);
+    render_.seed = seed;
+    results_.clear();
+    clock_ = std::make_unique<StageClock>(stage_names);
+}
+
 void Wavefront::begin_sample(std::uint32_t sample) {
-    WavefrontView wave{scene_.view(), host_scene_.render, sample, pool_, {}, {}};
+    WavefrontView wave{scene_.view(), render_, sample, pool_, {}, {}};
     for (int kind = 0; kind < material_kinds; ++kind)
         wave.queues.kind[kind] = kind_queues_[kind].data();
     wave.queues.shadow_rays = shadow_rays_.data();

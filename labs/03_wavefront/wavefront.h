@@ -19,6 +19,9 @@ class Wavefront {
     // The scene must outlive this.
     Wavefront(const Scene& scene, const MachineSettings& machine, int pool_paths);
 
+    // Begins anew; see Renderer::restart().
+    void restart(const Camera& camera, std::uint32_t seed);
+
     // Every stage from here on works for this sample.
     void begin_sample(std::uint32_t sample);
 
@@ -33,6 +36,7 @@ class Wavefront {
     // In place of the last two: accumulates what has ended and starts the next pixels' paths.
     void regenerate();
 
+    const Camera& camera() const { return scene_.view().camera; }
     int alive() const { return alive_; } // paths
     int most_bounces() const { return most_bounces_; }
     const ResultArrays& results() const { return results_; }
@@ -48,10 +52,10 @@ class Wavefront {
         clock_->time(stage, blocks, std::uint64_t{1} * blocks * machine_.block_size, work);
     }
 
-    const Scene& host_scene_;
     MachineSettings machine_;
     WavefrontSettings settings_;
-    DeviceScene scene_;
+    DeviceScene scene_;     // whose camera is the last restart's,
+    RenderSettings render_; // and whose seed
     StageKernels kernels_;
     std::size_t geometry_bytes_; // of shared memory; 0: geometry stays where it is
     int pixels_, most_bounces_;

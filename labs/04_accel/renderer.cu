@@ -35,6 +35,12 @@ class AccelRenderer final : public Renderer {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    void restart(const Camera& camera, std::uint32_t seed) override {
+        wavefront_.restart(camera, seed);
+        samples_ = 0;
+        seconds_ = 0;
+    }
+
     Film film(int first_row, int rows) const override {
         Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
         wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
@@ -44,7 +50,7 @@ class AccelRenderer final : public Renderer {
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
 
     Ledger ledger() const override {
-        Ledger ledger = begin_ledger(scene_, "04_accel", machine_name());
+        Ledger ledger = begin_ledger(scene_, wavefront_.camera(), "04_accel", machine_name());
         ledger.samples = static_cast<int>(samples_);
         ledger.seconds = seconds_;
         ledger.pool_paths = pool_paths_;
@@ -55,7 +61,6 @@ class AccelRenderer final : public Renderer {
         if (wavefront_.accel().has_shape_tree()) ledger.shapes = wavefront_.accel().shape_facts();
         wavefront_.results().write_to(ledger);
         wavefront_.walks().write_to(ledger);
-        ledger.rejected = rejected_samples(*this, scene_.camera.width, scene_.camera.height);
         return ledger;
     }
 

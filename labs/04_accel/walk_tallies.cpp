@@ -4,6 +4,12 @@
 
 namespace raylab::lab04 {
 
+void WalkTallies::clear() {
+    tallies_.clear();
+    rays_.assign(rays_.size(), 0);
+    shadow_rays_ = 0;
+}
+
 void WalkTallies::write_to(Ledger& ledger) const {
     if (!ledger.structure && !ledger.shapes) return;
     const std::vector<WalkTally> tallies = tallies_.to_host();

@@ -29,6 +29,9 @@ class WalkTallies {
     WalkTally* past_shapes() { return tallies_.data() + bounces() + 1; }
     WalkTally* shadow_rays_past_shapes() { return tallies_.data() + bounces() + 2; }
 
+    // Nothing has walked.
+    void clear();
+
     // Sets what was visited of the structures that the ledger has.
     void write_to(Ledger& ledger) const;
 

@@ -10,7 +10,7 @@ namespace raylab::lab04 {
 
 Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel accel,
                      int pool_paths)
-    : host_scene_(scene), machine_(machine), scene_(scene), accel_(std::move(accel)),
+    : machine_(machine), scene_(scene), render_(scene.render), accel_(std::move(accel)),
       kernels_(choose_kernels(features_of(scene), scene.render.integrator)),
       most_bounces_(raylab::most_bounces(scene.render)), memory_(pool_paths),
       pool_(branches_of(scene.render), &memory_), view_(1), live_(pool_paths), spare_(pool_paths),
@@ -20,12 +20,20 @@ Wavefront::Wavefront(const Scene& scene, const MachineSettings& machine, Accel a
                machine.records),
       walks_(counted_bounces(scene.render)) {}
 
+void Wavefront::restart(const Camera& camera, std::uint32_t seed) {
+    scene_.set_camera(camera);
+    render_.seed = seed;
+    results_.clear();
+    walks_.clear();
+    clock_ = std::make_unique<StageClock>(stage_names);
+}
+
 void Wavefront::begin_sample(std::uint32_t sample) {
     SceneView scene = scene_.view();
     const ShapeTreeView shapes = accel_.shapes(scene);
     if (accel_.has_shape_tree()) scene.sphere_groups = {}, scene.quad_groups = {};
     const WavefrontView wave{scene,
-                             host_scene_.render,
+                             render_,
                              sample,
                              pool_,
                              accel_.view(scene.triangles),

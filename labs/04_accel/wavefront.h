@@ -18,6 +18,9 @@ class Wavefront {
     // The scene must outlive this. accel: over its shapes.
     Wavefront(const Scene& scene, const MachineSettings& machine, Accel accel, int pool_paths);
 
+    // Begins anew; see Renderer::restart().
+    void restart(const Camera& camera, std::uint32_t seed);
+
     // Every stage from here on works for this sample.
     void begin_sample(std::uint32_t sample);
 
@@ -30,6 +33,7 @@ class Wavefront {
     void remove_ended(int bounce);
     void accumulate(int n); // slots 0 ... n - 1
 
+    const Camera& camera() const { return scene_.view().camera; }
     int alive() const { return alive_; } // paths
     int most_bounces() const { return most_bounces_; }
     const Accel& accel() const { return accel_; }
@@ -49,9 +53,9 @@ class Wavefront {
         clock_->time(stage, blocks, std::uint64_t{1} * blocks * machine_.block_size, work);
     }
 
-    const Scene& host_scene_;
     MachineSettings machine_;
-    DeviceScene scene_;
+    DeviceScene scene_;     // whose camera is the last restart's,
+    RenderSettings render_; // and whose seed
     Accel accel_;
     StageKernels kernels_;
     int most_bounces_;

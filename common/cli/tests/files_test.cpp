@@ -1,6 +1,8 @@
 // Safe files: complete or absent, and every failure says what to do.
 #include "common/cli/files.h"
 
+#include "common/cli/tests/temporary_folder.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,16 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// A fresh folder that goes away with the test.
 class Files : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "raylab-files-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder = name;
-        fs::permissions(folder, fs::perms::all);
-    }
-    void TearDown() override { fs::remove_all(folder); }
+    void SetUp() override { fs::permissions(folder, fs::perms::all); }
 
     std::size_t entries() const {
         return static_cast<std::size_t>(
@@ -32,7 +27,8 @@ class Files : public testing::Test {
     }
     std::string in(const char* name) const { return (folder / name).string(); }
 
-    fs::path folder;
+    TemporaryFolder temporary;
+    const fs::path folder = temporary.path();
 };
 
 template <class Action> std::string error_of(Action action) {

@@ -4,6 +4,7 @@
 #include "common/cli/files.h"
 #include "common/cli/leftovers.h"
 #include "common/cli/process.h"
+#include "common/cli/tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -163,9 +164,8 @@ TEST(Interrupt, WhileAChildIsBeingStartedTheEndWaits) {
 }
 
 TEST(Interrupt, NeitherFilesNorChildrenAreLeftBehind) {
-    std::string folder = (fs::temp_directory_path() / "raylab-interrupt-XXXXXX").string();
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    const std::string name = folder + "/unfinished.part", pid_file = folder + "/pid";
+    const TemporaryFolder folder;
+    const std::string name = folder / "unfinished.part", pid_file = folder / "pid";
     const Child child([&] {
         const UnfinishedFile unfinished(name.c_str());
         write_file(name, "half of it");
@@ -181,7 +181,6 @@ TEST(Interrupt, NeitherFilesNorChildrenAreLeftBehind) {
     EXPECT_EQ(child.exit_status(), 128 + SIGTERM);
     EXPECT_FALSE(fs::exists(name));
     EXPECT_TRUE(ends(grandchild)) << "the child's child runs on";
-    fs::remove_all(folder);
 }
 
 // `ulimit -f` is for this program's writes to fail, and for children to die of as they are used to.

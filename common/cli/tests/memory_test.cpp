@@ -2,6 +2,7 @@
 #include "common/cli/memory.h"
 
 #include "common/cli/files.h"
+#include "common/cli/tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,18 +17,16 @@ constexpr std::uint64_t mib = 1 << 20;
 class Memory : public testing::Test {
   protected:
     void SetUp() override {
-        root = (fs::temp_directory_path() / "raylab-memory-XXXXXX").string();
-        ASSERT_NE(mkdtemp(root.data()), nullptr);
         write("/proc/meminfo", "MemTotal:       99999999 kB\nMemAvailable:   1048576 kB\n");
     }
-    void TearDown() override { fs::remove_all(root); }
 
     void write(const std::string& name, const std::string& text) const {
         prepare_output(root + name);
         write_file(root + name, text);
     }
 
-    std::string root;
+    TemporaryFolder temporary;
+    const std::string root = temporary.path().string();
 };
 
 TEST_F(Memory, OfTheMachine) {

@@ -2,6 +2,7 @@
 #include "common/image/image_file.h"
 
 #include "common/cli/files.h"
+#include "common/cli/tests/temporary_folder.h"
 #include "common/image/display.h"
 
 #include <gmock/gmock.h>
@@ -21,14 +22,10 @@ using testing::HasSubstr;
 
 class ImageFile : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "raylab-image-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
-    void TearDown() override { fs::remove_all(folder); }
     std::string in(const std::string& name) const { return (folder / name).string(); }
-    fs::path folder;
+
+    TemporaryFolder temporary;
+    const fs::path folder = temporary.path();
 };
 
 // Every kind of float there is: random bits, so also NaN with payload, infinities, subnormals, -0.

@@ -1,9 +1,7 @@
 #include "common/load/tests/scene_files.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 namespace raylab {
 
@@ -17,20 +15,6 @@ std::string scene_of_shapes(const std::string& shapes) {
     const std::size_t begin = good_scene.find("    {\"kind\": \"sphere\""),
                       end = good_scene.find("\n  ],");
     return good_scene.substr(0, begin) + shapes + good_scene.substr(end);
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "raylab_scene_XXXXXX").string();
-    path_ = mkdtemp(name.data());
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-}
-
-void TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
-    std::ofstream(path_ / name, std::ios::binary) << bytes;
 }
 
 Scene load(const std::string& text, const TemporaryFolder& folder) {

@@ -1,11 +1,11 @@
 // What the tests of the loader share: a small valid scene to break, and a folder for its files.
 #pragma once
 
+#include "common/cli/tests/temporary_folder.h"
 #include "common/load/load.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -33,21 +33,6 @@ std::string with(std::string scene, const std::string& from, const std::string& 
 
 // The good scene with these shapes (JSON, without the brackets) instead of its own.
 std::string scene_of_shapes(const std::string& shapes);
-
-// A folder that is removed with the object.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    void write(const std::string& name, std::string_view bytes) const;
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 // A scene text as if it were s.json in the folder.
 Scene load(const std::string& text, const TemporaryFolder& folder);

@@ -40,13 +40,6 @@ RayMesh from_mesh(const std::string& name, const Mesh& source) {
     return mesh;
 }
 
-std::string read(const std::filesystem::path& file) {
-    std::string bytes;
-    const std::string problem = read_file(file, bytes);
-    if (!problem.empty()) throw SceneError(problem);
-    return bytes;
-}
-
 } // namespace
 
 Bounds bounds_of(std::span<const Triangle> triangles) {
@@ -117,14 +110,10 @@ RayMesh polygons_of(const Scene& scene) {
 }
 
 RayMesh load_ray_mesh(const std::filesystem::path& file) {
-    const std::string bytes = read(file);
-    const Mesh source =
-        ending_of(file) == ".obj"
-            ? parse_obj(bytes, file.string())
-            : parse_gltf(
-                  bytes, file.string(),
-                  [&](const std::string& name) { return read(file.parent_path() / name); },
-                  MeshLook::none);
+    const auto read = [&](const std::string& name) {
+        return read_file_or_throw(file.parent_path() / name);
+    };
+    const Mesh source = parse_mesh(read_file_or_throw(file), file.string(), read, MeshLook::none);
     RayMesh mesh = from_mesh(file.stem().string(), source);
     mesh.camera = view_from_front(bounds_of(mesh.triangles));
     return mesh;

@@ -102,10 +102,11 @@ TEST(Compare, OneSampleAPixelTellsNoVariance) {
     EXPECT_EQ(one.error[0], Vec3(std::numeric_limits<float>::infinity()));
     for (const Comparison& c : {compare(one, many), compare(many, one), compare(one, one)}) {
         EXPECT_EQ(c.decided, c.equal);
-        EXPECT_TRUE(std::isfinite(c.metrics.rel_mse));
+        EXPECT_TRUE(std::isfinite(c.metrics().rel_mse));
     }
     EXPECT_THAT(compare(one, many).verdict.sentence, HasSubstr("4096 pixels of the first image"));
-    for (const double z : compare(one, many).z_map.z) EXPECT_TRUE(std::isnan(z));
+    const Comparison open = compare(one, many);
+    for (const double z : open.verdict.measured->z_map.z) EXPECT_TRUE(std::isnan(z));
     // Two of them do.
     Replicates two = alone(one);
     two.add(developed(3, 1, 1));
@@ -135,9 +136,10 @@ TEST(Compare, NoUnitOfRadianceChangesTheVerdict) {
             const Comparison c = judged(std::ldexp(1.0f, exponent));
             EXPECT_EQ(c.verdict.sentence, expected.verdict.sentence) << "2^" << exponent;
             EXPECT_EQ(c.worst.p, expected.worst.p) << "2^" << exponent;
-            EXPECT_EQ(c.z_map.z, expected.z_map.z) << "2^" << exponent;
-            EXPECT_EQ(c.metrics.rel_mse, expected.metrics.rel_mse) << "2^" << exponent;
-            EXPECT_EQ(c.metrics.rel_bias, expected.metrics.rel_bias) << "2^" << exponent;
+            EXPECT_EQ(c.verdict.measured->z_map.z, expected.verdict.measured->z_map.z)
+                << "2^" << exponent;
+            EXPECT_EQ(c.metrics().rel_mse, expected.metrics().rel_mse) << "2^" << exponent;
+            EXPECT_EQ(c.metrics().rel_bias, expected.metrics().rel_bias) << "2^" << exponent;
         }
     }
 }

@@ -34,7 +34,7 @@ TEST(Power, ACorrectRenderPasses) {
         EXPECT_TRUE(r.verdict.passed) << r.verdict.sentence;
         EXPECT_THAT(r.verdict.sentence, HasSubstr("Agrees with the reference"));
         EXPECT_LT(r.detectable_relative_error, 0.004);
-        EXPECT_LT(r.metrics.rel_bias, 0.01);
+        EXPECT_LT(r.verdict.measured->metrics.rel_bias, 0.01);
     }
 }
 
@@ -177,8 +177,8 @@ TEST(Power, TwentyPercentTooBrightPassesPixelByPixelAndFailsHere) {
         passes_pixel_by_pixel(render(size, size, 1, spp, Noise::pixel, bright), known, spp));
     const auto result = judge(bright);
     EXPECT_FALSE(result.verdict.passed);
-    EXPECT_NEAR(result.metrics.rel_error, 0.2, 0.005);
-    EXPECT_NEAR(result.metrics.rel_bias, 0.2, 0.02);
+    EXPECT_NEAR(result.verdict.measured->metrics.rel_error, 0.2, 0.005);
+    EXPECT_NEAR(result.verdict.measured->metrics.rel_bias, 0.2, 0.02);
 }
 
 TEST(Honesty, AnIgnoredSeedFails) {

@@ -2,6 +2,7 @@
 #include "grader/report/report.h"
 
 #include "common/cli/files.h"
+#include "common/cli/tests/temporary_folder.h"
 #include "common/image/image_file.h"
 #include "grader/judge/tests/simulated.h"
 #include "grader/report/html.h"
@@ -35,6 +36,7 @@ Report some_report() {
     good.facts = {{"samples a pixel", "256"}};
     good.image = mean_of(simulated::replicates(64, 48, 1, 16, Noise::pixel));
     good.reference = reference;
+    good.verdict.measured = {measure(*good.image, reference), z_map(*good.image, reference)};
     good.lanes_alive = {0.97, 0.8, 0.58};
     good.details = {{"p", 0.3}};
     ReportEntry bad = good;
@@ -42,6 +44,7 @@ Report some_report() {
     bad.passed = false;
     bad.verdict = {false, "The image is too dark by 20 %.", {"Is a technique missing?"}};
     for (Vec3& v : bad.image->mean) v *= 0.8f;
+    bad.verdict.measured = {measure(*bad.image, reference), z_map(*bad.image, reference)};
     return {"raylab demo", "Some CPU, 2 cores", "./raylab demo", {good, bad}};
 }
 
@@ -91,6 +94,23 @@ TEST(Report, CaptionsAreComputedFromTheData) {
     EXPECT_THAT(report_html(report), HasSubstr("Lanes alive rise from 50.0 %"));
 }
 
+// The figures are the judge's, whatever the pictures would give.
+TEST(Report, MeasuresNothingItself) {
+    Report report = some_report();
+    report.entries.resize(1);
+    Measured& judged = *report.entries[0].verdict.measured;
+    judged.metrics.rel_error = 0.4321;
+    judged.metrics.rel_mse = 0.0625;
+    judged.z_map.z.assign(judged.z_map.z.size(), 3.25);
+    const std::string html = report_html(report);
+    EXPECT_THAT(html, HasSubstr("+43.21&#8239;%"));
+    EXPECT_THAT(html, HasSubstr("6.2e-02"));
+    EXPECT_THAT(html, HasSubstr("The mean differs by +43 %"));
+    EXPECT_THAT(html, HasSubstr("the largest is +3.2"));
+    EXPECT_THAT(html, HasSubstr("\"z\":[3.25,3.25"));
+    EXPECT_EQ(report_json(report)["entries"][0]["metrics"]["relative_error_of_mean"], 0.4321);
+}
+
 TEST(Report, AReferenceOfTwoEntriesIsStoredOnce) {
     Report report = some_report();
     const std::string picture = radiance_png(*report.entries[0].reference);
@@ -129,7 +149,8 @@ TEST(Report, PicturesKeepTheRangeOfRadiance) {
     const std::string url = radiance_png(image);
     ASSERT_TRUE(url.starts_with("data:image/png;base64,iVBORw0KGgo"));
 
-    const fs::path file = fs::temp_directory_path() / "raylab-report-test.png";
+    const TemporaryFolder folder;
+    const fs::path file = folder / "picture.png";
     const std::string text = url.substr(url.find(',') + 1);
     std::string bytes;
     unsigned bits = 0;
@@ -146,7 +167,6 @@ TEST(Report, PicturesKeepTheRangeOfRadiance) {
     }
     write_file(file.string(), bytes);
     const Image png = read_image(file.string()); // linear: back to bytes by the sRGB curve
-    fs::remove(file);
     const auto byte = [&](int x, int c) {
         const float v = png.mean[std::size_t(x)][c];
         return std::lround(
@@ -165,8 +185,8 @@ TEST(Report, PicturesKeepTheRangeOfRadiance) {
 }
 
 TEST(Report, BothFilesAreWrittenAndResultsHoldTheFacts) {
-    std::string name = (fs::temp_directory_path() / "raylab-report-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    const TemporaryFolder folder;
+    const std::string name = folder.path();
     Report report = some_report();
     report.entries[0].verdict.sentence = "not UTF-8: \xff";
     write_report(report, name + "/deep/er");
@@ -179,7 +199,6 @@ TEST(Report, BothFilesAreWrittenAndResultsHoldTheFacts) {
     EXPECT_TRUE(fs::exists(name + "/deep/er/report.html"));
     // For looking at: RAYLAB_KEEP_REPORT=FOLDER.
     if (const char* keep = std::getenv("RAYLAB_KEEP_REPORT")) write_report(some_report(), keep);
-    fs::remove_all(name);
 }
 
 } // namespace

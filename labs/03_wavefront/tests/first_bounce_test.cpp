@@ -24,6 +24,10 @@ Scene ball(bool jitter, const std::string& lens = "") {
              lens});
 }
 
+std::optional<std::string> no_cache(const Scene& scene) {
+    return no_first_bounce_cache(scene.camera, scene.render);
+}
+
 Film render(const Scene& scene, bool cache) {
     const std::unique_ptr<Renderer> renderer = make_renderer(
         scene, {.threads = 1, .wavefront = {.pool = 100, .first_bounce_cache = cache}});
@@ -37,7 +41,7 @@ bool same_bits(const Film& a, const Film& b) {
 
 TEST(Task3_4, TheCacheChangesNoBitWhereCameraRaysStayTheSame) {
     const Scene scene = ball(false);
-    const auto why_not = no_first_bounce_cache(scene);
+    const auto why_not = no_cache(scene);
     if (!expect(!why_not, "a pinhole without jitter is refused: " + why_not.value_or(""))) return;
     expect(same_bits(render(scene, true), render(scene, false)),
            "with the cache the image is another; the likely cause: hits of later bounces are kept "
@@ -62,9 +66,8 @@ TEST(Task3_4, ItIsFilledOnceAndThenUsed) {
 }
 
 TEST(Task3_4, JitterAndLensesAreRefusedWithAReason) {
-    const auto jitter = no_first_bounce_cache(ball(true));
-    const auto lens =
-        no_first_bounce_cache(ball(false, R"(, "lens_radius": 0.1, "focus_distance": 5)"));
+    const auto jitter = no_cache(ball(true));
+    const auto lens = no_cache(ball(false, R"(, "lens_radius": 0.1, "focus_distance": 5)"));
     expect(jitter && jitter->find("jitter") != std::string::npos,
            "jittered camera rays differ each time, but the cache is not refused for it");
     expect(lens && lens->find("lens") != std::string::npos,

@@ -1,5 +1,6 @@
 // Task 3.1: the pool and its stages. Truth from closed forms and from the paths' own records; what
 // must not matter (pool, blocks, order of slots, compaction, sorting) must not change a bit.
+#include "common/render/render.h"
 #include "common/scene/sphere_groups.h"
 #include "common/task/facts.h"
 #include "common/task/small_scene.h"
@@ -25,7 +26,7 @@ Traced trace(const Scene& scene, const WavefrontSettings& wavefront = {}, int it
     const std::unique_ptr<Renderer> renderer =
         make_renderer(scene, {.threads = 1, .block_size = block, .wavefront = wavefront});
     for (int i = 0; i < iterations; ++i) renderer->add_iteration();
-    return {renderer->film(), renderer->ledger(), renderer->records()};
+    return {renderer->film(), develop(*renderer, scene).ledger, renderer->records()};
 }
 
 bool same_bits(const Film& a, const Film& b) {

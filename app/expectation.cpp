@@ -1,46 +1,10 @@
-#include "app/replicates.h"
+#include "app/expectation.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace raylab::app {
-
-Image render_replicate(const ReplicateJob& job, int r) {
-    Scene scene = job.scene;
-    scene.render.seed = job.first_seed + static_cast<std::uint32_t>(r);
-    const std::unique_ptr<Renderer> renderer = job.lab->make(scene, job.machine);
-    for (int i = 0; i < scene.render.spp; ++i) renderer->add_iteration();
-    return develop(*renderer, scene);
-}
-
-void ReplicateMean::add(const Image& image) {
-    if (count_ == 0) {
-        sum_.assign(image.pixels(), DVec3(0));
-        sum_squares_.assign(image.pixels(), DVec3(0));
-    }
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const DVec3 value(image.mean[i]);
-        sum_[i] += value;
-        sum_squares_[i] += value * value;
-    }
-    last_ = image;
-    ++count_;
-}
-
-Image ReplicateMean::mean() const {
-    Image image = last_;
-    image.error.resize(image.pixels());
-    const double n = count_;
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const DVec3 mean = sum_[i] / n;
-        image.mean[i] = Vec3(mean);
-        image.error[i] =
-            Vec3(glm::sqrt(glm::max(DVec3(0), sum_squares_[i] / n - mean * mean) / (n - 1)));
-    }
-    image.provenance.spp *= count_;
-    return image;
-}
 
 namespace {
 
