@@ -16,7 +16,7 @@
 
 namespace raylab::lab03 {
 
-// Everybody's signature. workspace: device memory of as many numbers as the scan says it needs.
+// The signature of all six. workspace: device memory of as many numbers as the scan says it needs.
 using ScanFunction = void(const std::uint32_t* in, std::uint32_t* out, std::int64_t n,
                           std::uint32_t* workspace);
 

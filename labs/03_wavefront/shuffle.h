@@ -11,8 +11,9 @@
 
 namespace raylab::lab03 {
 
-// The i-th entry of permutation `seed` of 0 ... n - 1; seed 0 is the identity. Each step is a
-// bijection of the numbers below the next power of two; who lands beyond n goes on from there.
+// The i-th entry of permutation `seed` of 0 ... n - 1; seed 0 is the identity. A pass of the loop
+// permutes the numbers below the next power of two. If i becomes n or more, the loop permutes i
+// again, until i is below n: such walks never meet, so the result is a permutation of 0 ... n - 1.
 HD std::uint32_t shuffled(std::uint32_t i, std::uint32_t n, std::uint32_t seed) {
     if (seed == 0 || n < 2) return i;
     std::uint32_t mask = n - 1;

@@ -105,8 +105,9 @@ mkdir -p "${package%/*}"
 expect "without a package" 1 "embree=0" "$third/raylab" check 01
 mkdir "$package"
 echo 'set(embree_FOUND 1)' >"$package/embree-config.cmake"
-echo 'set(PACKAGE_VERSION 3.1) 
-set(PACKAGE_VERSION_COMPATIBLE TRUE)' >"$package/embree-config-version.cmake"
+echo 'set(PACKAGE_VERSION 3.1.0.7)
+set(PACKAGE_VERSION_COMPATIBLE TRUE)
+set(PACKAGE_VERSION_EXACT TRUE)' >"$package/embree-config-version.cmake"
 expect "a package that came" 1 "embree=1" "$third/raylab" check 01
 rm -r "$package"
 expect "a package that went" 1 "embree=0" "$third/raylab" check 01

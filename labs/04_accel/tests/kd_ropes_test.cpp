@@ -22,10 +22,10 @@ void find_cells(const KdTree& tree, int at, const Bounds& cell, std::vector<Boun
 // Do the cell's face and the neighbour touch, and does the neighbour cover all of the face?
 bool covers(const Bounds& neighbour, const Bounds& cell, int face) {
     for (int axis = 0; axis < 3; ++axis) {
-        const float low = cell.low[axis], high = cell.high[axis];
+        const float begin = cell.low[axis], end = cell.high[axis];
         const float n_low = neighbour.low[axis], n_high = neighbour.high[axis];
-        const bool touches = face % 2 == 0 ? n_high == low : n_low == high;
-        if (axis == face / 2 ? !touches : !(n_low <= low && n_high >= high)) return false;
+        const bool touches = face % 2 == 0 ? n_high == begin : n_low == end;
+        if (axis == face / 2 ? !touches : !(n_low <= begin && n_high >= end)) return false;
     }
     return true;
 }
