@@ -1,10 +1,10 @@
-// Light from infinitely far away, constant or from a map over latitude and longitude (the layout is
-// told at Environment in scene/view.h). PBR4e 12.5 (Infinite Area Lights).
+// Light from infinitely far away. It is constant, or comes from a map over latitude and longitude
+// (Environment in scene/view.h describes the layout). PBR4e 12.5 (Infinite Area Lights).
 //
-// A map is taken as it is stored: each texel one constant, on the part of the sphere between two
-// meridians and two circles of latitude. Inside a texel directions are chosen uniformly, so the
-// density is P(texel) / (its solid angle), as constant over the texel as its radiance, and finite
-// at the poles, where texels in (u, v) would divide by sin(theta) = 0.
+// Each texel has one constant radiance, on the part of the sphere between two meridians and two
+// circles of latitude. Sampling chooses a texel, and then a direction uniformly inside it. So the
+// density is P(texel) / (solid angle of the texel): constant over the texel, and finite at the
+// poles. A density in (u, v) would divide by sin(theta) = 0 there.
 #pragma once
 
 #include "common/light/light_sample.h"
@@ -19,8 +19,8 @@ struct Texel {
     int column, row;
 };
 
-// Where a direction falls. theta by atan2, since acos(y) has lost the angle near the poles. A tiny
-// negative longitude wraps to just below 1, or rounds to 1: that is the last column too.
+// The texel for a direction. theta comes from atan2, because acos(y) is inaccurate near the poles.
+// A tiny negative longitude wraps to just below 1, or rounds to 1; both are in the last column.
 HD Texel environment_texel(const Environment& environment, Vec3 d) {
     const float phi = atan2f(d.z, d.x) * inv_two_pi + environment.turn;
     const float u = phi < 0 ? phi + 1 : phi;
@@ -61,7 +61,7 @@ HD float environment_map_pdf(const Environment& environment, Texel texel) {
            texel_solid_angle(environment, texel.row);
 }
 
-// The last i < n with cdf[i] <= u: an interval that has u inside, so never an empty one.
+// The last i < n with cdf[i] <= u. u lies inside this interval, so the interval is not empty.
 HD int find_interval(const float* cdf, int n, float u) {
     int low = 0, high = n; // cdf[low] <= u, and u < cdf[high] = 1
     while (high - low > 1) {
@@ -75,7 +75,8 @@ HD int find_interval(const float* cdf, int n, float u) {
 }
 
 HD LightSample sample_environment_map(const Environment& environment, Vec2 u) {
-    // The texel, and where in it: what is left of u inside the interval is uniform again.
+    // Choose the texel. The position of u inside the chosen interval is uniform again, and serves
+    // to choose the point in the texel.
     const float* rows = environment.row_cdf.data;
     const int row = find_interval(rows, environment.height, u.y);
     const float* columns = environment.column_cdf.data + row * (environment.width + 1);

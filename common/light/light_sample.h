@@ -19,9 +19,9 @@ struct LightSample {
     bool valid = false; // false: this sample carries no light
 };
 
-// The density of a direction, from that of the point where it meets a surface: an area dA with
-// normal n at distance r covers the solid angle dA |cos| / r^2. 0 where the surface is seen edge
-// on; light sampling rejects those points.
+// Turns the density of a point on a surface into the density of the direction to it: an area dA
+// with normal n at distance r covers the solid angle dA |cos| / r^2. 0 where the surface is seen
+// edge on; light sampling rejects those points.
 HD float solid_angle_pdf(float area_pdf, float distance2, float abs_cosine) {
     return abs_cosine > 0 ? area_pdf * distance2 / abs_cosine : 0.0f;
 }

@@ -1,7 +1,7 @@
 // Quad and triangle lights, sampled uniformly by area. PBR4e 12.4 (area lights).
 //
-// Sampling by solid angle would replace these functions and nothing else: the pair sample and pdf
-// is all that the rest of the renderer knows of a light.
+// The rest of the renderer knows two functions of a light only: its sample and its pdf. Sampling by
+// solid angle would change these two functions and nothing else.
 #pragma once
 
 #include "common/geometry/shapes.h"
@@ -19,7 +19,8 @@ struct QuadMeasure {
     float at00, at10, at01, at11;
 };
 
-// The parallelogram's area, by its unit normal: no squares, which would underflow in small scenes.
+// The parallelogram's area, from its unit normal. The length of the cross product would need
+// squares, which underflow in small scenes.
 HD float parallelogram_area(Vec3 e1, Vec3 e2, Vec3 normal) { return dot(cross(e1, e2), normal); }
 
 HD QuadMeasure measure(const Quad& quad) {

@@ -1,9 +1,10 @@
-// Sphere lights: from outside, the cone of directions that the sphere fills, each alike. Shirley,
-// Wang and Zimmerman, Monte Carlo Techniques for Direct Lighting Calculations, 1996; PBR4e 6.2.4.
+// Sphere lights. A receiver outside samples the cone of directions that the sphere fills,
+// uniformly. Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct Lighting Calculations,
+// 1996; PBR4e 6.2.4.
 //
-// In the cone every sample meets the visible side, and irradiance from a sphere above the horizon
-// has no variance but the receiver's cosine. Inside the sphere, or on it, there is no such cone:
-// there points are sampled uniformly by area.
+// Every direction in the cone meets the visible side of the sphere, so the only variance of the
+// irradiance is that of the receiver's cosine. A receiver inside the sphere, or on it, has no such
+// cone. For it, points on the sphere are sampled uniformly by area.
 #pragma once
 
 #include "common/geometry/error.h"
@@ -24,8 +25,8 @@ HD SphereCone cone_around(const Sphere& sphere, Vec3 from) {
     const DVec3 d = sphere.center - DVec3(from);
     const double distance = sqrt(dot(d, d));
     const Vec3 axis(d / distance);
-    // A point on the surface must not count as outside by its rounding error: its cone would be the
-    // half space in front, and the sphere's nearest point there the point itself.
+    // Rounding must not make a point of the surface count as outside. Its cone would be the half
+    // space in front of it, and the nearest point of the sphere would be the point itself.
     const double margin = sphere.radius + 4 * error_on_sphere(sphere, from, axis);
     if (!(distance > margin)) return {Vec3(0), 1, false};
     const double s = sphere.radius / distance;

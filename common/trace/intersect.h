@@ -1,4 +1,5 @@
-// What a ray meets in a scene: the closest shape, or whether there is any.
+// What a ray meets in a scene. intersect() finds the closest shape; occluded() asks whether there
+// is any shape at all.
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -13,7 +14,7 @@
 namespace raylab {
 
 // Calls visit(shape, index, id, t) for every sphere of the group that the ray meets, as
-// for_each_hit() does. False: visit returned false.
+// for_each_hit() does. Returns false if visit returned false.
 template <class Visit, class Reach>
 HD_HOT bool for_each_hit_in(const SphereGroup& group, const Array<Sphere>& spheres, const Ray& ray,
                             const Visit& visit, const Reach& reach) {
@@ -81,8 +82,8 @@ HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
     }
 }
 
-// The closest hit in (0, ray.t_max); of two at the same t that with the lowest id.
-// F: the features of the scene, so that shapes it has not cost nothing.
+// The closest hit in (0, ray.t_max). Of two hits at the same t, the one with the lower id counts.
+// F: the features of the scene. The kernel has no code for shapes that are not in F.
 template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray) {
     Hit hit;
     for_each_hit<F>(

@@ -1,15 +1,16 @@
-// Rays that leave a surface: moved off it by what rounding can have misplaced, and no further.
+// Rays that leave a surface. Their origin is moved off the surface by as much as rounding can have
+// misplaced it, and no further.
 // PBR4e 6.8 (Managing Rounding Error), with the point put back on its surface in double first.
 //
-// Every bound is relative to the coordinates at hand; none is a length in world units.
+// Every bound is relative to the coordinates of the point. No bound is a length in world units.
 #pragma once
 
 #include "common/trace/surface.h"
 
 namespace raylab {
 
-// p on the side of its surface to which w points: twice the error, so that neither the rounding of
-// p nor that of the sum puts the origin back on the wrong side.
+// p, moved to the side of its surface to which w points. It moves by twice the error: once for the
+// rounding of p, once for the rounding of the sum. So the origin cannot lie on the wrong side.
 HD_HOT Vec3 offset_point(Vec3 p, Vec3 ng, float error, Vec3 w) {
     return p + copysignf(2 * error, dot(w, ng)) * ng;
 }

@@ -1,7 +1,8 @@
 // The surface at a hit: where it is, which way it faces, what it is made of.
 //
-// A point computed as o + t d is off by a few ulps of the whole way. It is put back on its shape in
-// double and rounded once: what is left is half an ulp a coordinate, however far the ray came.
+// A point computed as o + t d has an error of a few ulps of the ray's whole length. So the point is
+// projected onto its shape in double and rounded once. Its error is then half an ulp of each
+// coordinate, whatever the length of the ray was.
 #pragma once
 
 #include "common/geometry/edges.h"
@@ -25,7 +26,8 @@ struct SurfacePoint {
     int light;             // index into SceneView::lights, or -1
 };
 
-// p: the hit, known to a few ulps of the ray's length. The shape's own point next to it is meant.
+// p: the hit, with an error of a few ulps of the ray's length. The result is at the point of the
+// shape that is nearest to p.
 // wo: unit, to where the ray came from.
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p, Vec3) {
@@ -59,7 +61,7 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p, Vec3
     return s;
 }
 
-// A plane has no size to measure uv in: it has no texture coordinates.
+// A plane has no texture coordinates, because it has no size in which uv could be measured.
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p, Vec3) {
     SurfacePoint s{};
@@ -110,7 +112,7 @@ HD SurfacePoint tagged_surface_on(const SceneView& scene, const ShapeType& shape
 }
 
 // The surface where the ray met hit.shape at hit.t; hit.found() must hold.
-// F: the features of the scene, so that shapes it has not cost nothing.
+// F: the features of the scene. The kernel has no code for shapes that are not in F.
 template <Features F>
 HD_HOT SurfacePoint surface_at(const SceneView& scene, const Ray& ray, const Hit& hit) {
     const DVec3 p = DVec3(ray.o) + double(hit.t) * DVec3(ray.d);

@@ -1,4 +1,4 @@
-// What colour a surface has at a place: constant, or looked up in an image.
+// The colour of a surface at a point. It is constant, or looked up in an image.
 #pragma once
 
 #include "common/math/index.h"
@@ -6,8 +6,8 @@
 
 namespace raylab {
 
-// Where in [0, 1] the image has what lies at u. Beyond 2^24 floats are whole numbers; what
-// overflows there, and a NaN, is at 0 like them.
+// The coordinate in [0, 1] at which the image has the colour for u. Floats beyond 2^24 are whole
+// numbers, so they fall on 0; so do a NaN and a u whose computation overflows.
 HD float wrapped(Wrap wrap, float u) {
     if (wrap == Wrap::repeat) return clamp(u - floorf(u), 0, 1);
     if (wrap == Wrap::clamp) return clamp(u, 0, 1);
@@ -15,8 +15,8 @@ HD float wrapped(Wrap wrap, float u) {
     return there_and_back <= 1 ? there_and_back : 2 - there_and_back;
 }
 
-// The texel that lies at i, which is in [-1, size]: one wrap is enough. An image's mirror image
-// begins with the same texel.
+// The texel for index i. i is in [-1, size], so one step back into the image is enough. A mirrored
+// image repeats the texel at its edge.
 HD int wrapped(Wrap wrap, int i, int size) {
     if (wrap == Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
     return i < 0 ? 0 : i >= size ? size - 1 : i;

@@ -1,11 +1,11 @@
-// Light that arrives at a surface straight from a light source, and how it shares the work with
-// BSDF samples that hit a source by chance. PBR4e 13.4 (A Better Path Tracer); Veach 1997,
-// chapter 9.
+// Light that arrives at a surface directly from a light source. Two estimators find it: light
+// sampling, and BSDF samples that hit a source by chance. PBR4e 13.4 (A Better Path Tracer); Veach
+// 1997, chapter 9.
 //
 //   L_direct = integral of f(wo, wi) Le(p', -wi) V(p, p') |cos| dwi
-// is estimated twice, by sampling lights (density p_l) and by sampling the BSDF (density p_b); the
-// power heuristic weights the two so that their sum is unbiased and each is trusted where it is
-// good.
+// is estimated twice: by sampling lights (density p_l) and by sampling the BSDF (density p_b). The
+// power heuristic gives each estimate a weight, p^2 / (p_l^2 + p_b^2). The weights add up to 1, so
+// the sum is unbiased, and each estimator counts most where its own density is the higher one.
 #pragma once
 
 #include "common/film/ledger.h"
@@ -25,8 +25,8 @@ struct ShadowRay {
     bool sent = false; // false: no light can come this way, there is nothing to trace
 };
 
-// The shadow ray to one given light. Its light: f(wo, wi) |cos| L / p_l, times the weight against
-// BSDF sampling. p_choice: the probability that this light was chosen.
+// The shadow ray to one given light. It brings f(wo, wi) |cos| L / p_l, times the weight of light
+// sampling against BSDF sampling. p_choice: the probability that this light was chosen.
 template <Features F>
 HD_HOT ShadowRay shadow_ray_to(const SceneView& scene, DirectLight strategy, int light,
                                float p_choice, const SurfacePoint& surface, Vec3 reflectance,
@@ -60,7 +60,7 @@ HD_HOT ShadowRay shadow_ray_to_any(const SceneView& scene, DirectLight strategy,
                             u.light_point);
 }
 
-// What the shadow ray finds.
+// The light of the shadow ray, or black if something is in its way.
 template <Features F>
 HD Vec3 trace_shadow_ray(const SceneView& scene, const ShadowRay& shadow_ray, PathRecord& record) {
     if (!shadow_ray.sent) return Vec3(0);

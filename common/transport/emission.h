@@ -1,5 +1,6 @@
-// Light that a ray meets at its end: a surface that glows, or the sky. Weighted, because light
-// sampling may have counted the same light already. PBR4e 13.4; Veach 1997, chapter 9.
+// The light that a ray meets at its end, from a surface that glows or from the sky. It is weighted,
+// because light sampling may have counted the same light already. PBR4e 13.4; Veach 1997,
+// chapter 9.
 #pragma once
 
 #include "common/light/sample_light.h"
@@ -9,7 +10,8 @@
 
 namespace raylab {
 
-// The density of a direction that no light sample could have found: the camera's, a mirror's.
+// Stands for the density of a direction that no light sample could have found: a direction from the
+// camera or off a mirror.
 constexpr float delta_pdf = infinity;
 
 // Weight of emission that a ray met, whose direction had density bsdf_pdf, where light sampling

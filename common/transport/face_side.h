@@ -1,4 +1,4 @@
-// Directions on the side of the face on which they are of the shading normal.
+// Puts a direction on the side of the face that fits its side of the shading normal.
 #pragma once
 
 #include "common/trace/surface.h"

@@ -22,12 +22,12 @@ HD SpecularSplit split_specular(const Material& material, Vec3 reflectance, Vec3
         return {split.reflected, reflectance * split.reflectance, split.refracted,
                 reflectance * (1 - split.reflectance), split.reflectance < 1};
     }
-    // The remaining lobes draw nothing at random: their sample is the one direction there is.
+    // The remaining lobes have one direction only, so their sample needs no random number.
     const BsdfSample sample = sample_bsdf<F>(material, reflectance, wo, 0, Vec2(0));
     return {sample.wi, sample.weight, Vec3(0), Vec3(0), false};
 }
 
-// A split in the shading frame becomes one in the world, folded at the face (fold.h).
+// Takes a split from the shading frame to the world, and folds its directions at the face (fold.h).
 HD SpecularSplit fold_split(const SurfacePoint& surface, SpecularSplit split) {
     split.reflected = fold_to_world(surface, split.reflected);
     split.refracted = fold_to_world(surface, split.refracted);
