@@ -17,7 +17,7 @@ struct Camera {
     int width, height;       // film, pixels
 };
 
-// Another film behind the same lens: the vertical field of view stays.
+// A film of another size behind the same lens. The vertical field of view stays.
 inline void set_film_size(Camera& camera, int width, int height) {
     camera.width = width;
     camera.height = height;

@@ -1,7 +1,8 @@
 // The film: what each pixel has collected so far.
 //
-// Sums are double: 2e7 heavy-tailed float additions lose 5 % even as a running mean, double loses
-// nothing that a float image shows. One thread owns one pixel, so no sum depends on an order.
+// Sums are double. In float, 2e7 additions of heavy-tailed samples lose 5 %, even as a running
+// mean; in double they lose nothing that a float image shows. One thread owns one pixel, so no sum
+// depends on an order.
 #pragma once
 
 #include "common/image/image.h"

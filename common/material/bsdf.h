@@ -1,4 +1,4 @@
-// One entry to all materials: sample a direction, evaluate a pair of directions.
+// One entry to all materials: sample_bsdf() chooses a direction, evaluate_bsdf() evaluates a pair.
 //
 // F is the set of features a kernel is compiled for (math/features.h): the kinds of material it
 // lacks are not in the kernel. Local frame: z is the outward normal, wo.z < 0 means seen from
@@ -40,7 +40,7 @@ HD_HOT Result with_bsdf(MaterialKind kind, const Ask& ask) {
     return {};
 }
 
-// As scene files name it.
+// The name of the kind in scene files.
 inline const char* name_of(MaterialKind kind) {
     return with_bsdf<feature::all, const char*>(kind, [](auto bsdf) { return bsdf.name; });
 }

@@ -24,7 +24,7 @@ struct BsdfValue {
     float pdf = 0;        // the density with which sampling chooses wi, 1/sr
 };
 
-// What the file of a material tells of its kind, by a specialisation with these members:
+// Each file of a material describes its kind by a specialisation with these members:
 //
 //     static constexpr const char* name;         // in scene files
 //     static constexpr bool is_clear;            // does light pass through it?

@@ -2,7 +2,7 @@
 // 1967; PBR4e 9.6.5.
 //
 //   f = F D G / (4 cos_o cos_i)
-// Light that bounces between microfacets is left out, so rough metals come out a little dark.
+// The model leaves out light that bounces between microfacets, so rough metals are a little dark.
 #pragma once
 
 #include "common/material/bsdf_sample.h"

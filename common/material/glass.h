@@ -1,9 +1,9 @@
 // A smooth dielectric interface: Fresnel decides how light splits into reflection and refraction.
 // PBR4e 9.5 (Dielectric BSDF).
 //
-// Paths carry basic radiance L / n^2 (Nicodemus 1963), which is constant along a ray through any
-// chain of refractions, so none multiplies by eta^2. It equals radiance wherever camera and
-// lights stand in the same medium; a light inside the glass would be read as n^2 times too dim.
+// Paths carry basic radiance L / n^2 (Nicodemus 1963). It is constant along a ray through any chain
+// of refractions, so no refraction multiplies by eta^2. Basic radiance equals radiance if camera
+// and lights stand in the same medium. A light inside the glass would look n^2 times too dim.
 #pragma once
 
 #include "common/material/bsdf_sample.h"

@@ -50,8 +50,8 @@ struct Material {
     Microfacets microfacets = Microfacets::ggx;
     FresnelModel fresnel = FresnelModel::exact; // schlick: the labelled approximation
 
-    // Below this roughness the lobe is narrower than float can resolve: treat it as smooth.
-    // Roughness that a surface would show only under a microscope (accuracy: GGX-SMOOTH).
+    // Below this roughness the lobe is narrower than float can resolve, and no picture shows the
+    // difference: the surface is treated as smooth (accuracy: GGX-SMOOTH).
     HD bool is_smooth() const { return alpha < 1e-3f; }
 };
 

@@ -1,5 +1,5 @@
-// Diffuse plus a Phong lobe that does not make light. Lafortune and Willems, Using the Modified
-// Phong Reflectance Model for Physically Based Rendering, 1994.
+// Diffuse reflection plus a Phong lobe that conserves energy. Lafortune and Willems, Using the
+// Modified Phong Reflectance Model for Physically Based Rendering, 1994.
 //
 //   f = albedo / pi + specular (n + 2) / (2 pi) cos^n(alpha),
 // alpha the angle between wi and the mirrored wo. The factor makes the lobe's albedo `specular` at
@@ -37,7 +37,7 @@ HD BsdfValue evaluate_phong(const Material& m, Vec3 albedo, Vec3 wo, Vec3 wi) {
 
 // The lobe is sampled around the mirrored direction with density (n + 1) / (2 pi) cos^n(alpha),
 // that is cos(alpha) = u^(1 / (n + 1)), whatever the surface cuts off. The weight is f cos over the
-// density of both lobes together, so it matters not which of them drew wi.
+// density of both lobes together, so it does not matter which of them drew wi.
 HD BsdfSample sample_phong(const Material& m, Vec3 albedo, Vec3 wo, float u_lobe, Vec2 u) {
     Vec3 wi;
     if (u_lobe < phong_lobe_share(m, albedo)) {

@@ -10,10 +10,11 @@
 
 namespace raylab {
 
-// With equal indices light goes straight through, however rough the interface.
+// If the indices are equal, light goes straight through, even if the interface is rough.
 HD bool is_smooth_dielectric(const Material& m) { return m.is_smooth() || m.ior == 1; }
 
-// Solid angle of wi for one of normals m, inverted: dm / dwi, when m refracts wo to wi.
+// The Jacobian dm / dwi of the normal m that refracts wo to wi: solid angle of normals over solid
+// angle of wi.
 HD float refraction_jacobian(Vec3 wo, Vec3 wi, Vec3 m, float eta) {
     return fabsf(dot(wi, m)) / sqr(dot(wi, m) + dot(wo, m) / eta);
 }

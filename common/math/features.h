@@ -1,5 +1,6 @@
-// Which features a scene uses. Kernels are templates over this set: what a scene does not use is
-// not in its kernel, so a diffuse Cornell box pays nothing for glass, meshes or lenses.
+// The features that a scene uses, as a set of bits. Kernels are templates over this set. A kernel
+// has no code for features that its scene does not use, so a diffuse Cornell box pays nothing for
+// glass, meshes or lenses.
 #pragma once
 
 #include "common/math/hd.h"

@@ -7,9 +7,9 @@
 #define HD inline
 #endif
 
-// HD_HOT: the same for what runs once a ray or more. It is inlined even where a host compiler would
-// rather call it: structs that pass through memory, written in pieces and read whole, stall a CPU.
-// Not under a sanitizer, whose checks make compilers slow on large functions.
+// HD_HOT: the same for functions that run once a ray or more. They are inlined even where a host
+// compiler would call them: a struct that is written to memory in pieces and read as a whole stalls
+// a CPU. Under a sanitizer they are not, because its checks make compilers slow on large functions.
 #if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__SANITIZE_ADDRESS__) &&                 \
     !defined(__SANITIZE_THREAD__)
 #define HD_HOT __attribute__((always_inline)) inline
@@ -17,8 +17,8 @@
 #define HD_HOT HD
 #endif
 
-// HD_RARE: the same for what hardly ever runs. A host compiler keeps it out of the loops that might
-// call it, which need the registers.
+// HD_RARE: the same for functions that hardly ever run. A host compiler does not inline them, so
+// that the loops which call them keep their registers.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define HD_RARE __attribute__((noinline)) inline
 #else

@@ -6,7 +6,8 @@
 
 namespace raylab {
 
-// The whole part of x in [0, count - 1]; below, and for a NaN, 0; beyond, the last. count >= 1.
+// The whole part of x if it is in [0, count - 1]. Smaller numbers and NaN give 0, larger numbers
+// give count - 1. count >= 1.
 template <class Real> HD int index_of(Real x, int count) {
     if (!(x >= 0)) return 0;
     const int i = x < Real(0x1p31) ? static_cast<int>(x) : count;

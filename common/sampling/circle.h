@@ -1,8 +1,9 @@
 // Points on the unit circle: cosine and sine of a fraction of a turn.
 //
-// Sampling asks for angles as 2 pi u. Counted in turns, the reduction to the octant around an axis
-// is exact, and a short polynomial in plain arithmetic does the rest: the same bits on every
-// machine that rounds correctly, and faster than a sine that must accept any angle.
+// Sampling needs angles 2 pi u. If angles are counted in turns, their reduction to the octant
+// around an axis is exact. A short polynomial computes the rest, by sums and products alone. It
+// gives the same bits on every machine that rounds correctly, and is faster than a sine of any
+// angle.
 #pragma once
 
 #include "common/math/vec.h"

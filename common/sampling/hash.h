@@ -12,7 +12,7 @@ struct Words {
     std::uint32_t x, y, z, w;
 };
 
-// A bijection of 128 bits: two inputs that differ anywhere give two outputs that look unrelated.
+// A bijection of 128 bits. Two inputs that differ in any bit give two outputs that look unrelated.
 // A step of a congruential generator on each word, then each word is mixed into the next, twice.
 // Products carry upwards only, so before each round a shift brings high bits down. The paper shifts
 // before the second round alone, which leaves the upper seven bits of each word almost unmixed:

@@ -1,8 +1,8 @@
 // Random numbers as a function, not as a state: u(seed, pixel, sample, dimension).
 //
-// No thread, slot or order enters, so every lab, machine and schedule traces the very same paths.
-// Dimensions come in pairs; a fixed pair for each decision of each bounce keeps Sobol points
-// well spread in that decision whatever happened before.
+// The number does not depend on a thread, a slot or an order, so all labs and machines trace the
+// same paths. Dimensions come in pairs. Each decision of each bounce has a pair of its own, so that
+// Sobol points are spread well in that decision, whatever the path did before.
 #pragma once
 
 #include "common/math/vec.h"
@@ -25,8 +25,8 @@ constexpr std::uint32_t light_point = 0;   // where on the light
 constexpr std::uint32_t light_choice = 1;  // .x which light, .y unused
 constexpr std::uint32_t direction = 2;     // the BSDF's direction
 constexpr std::uint32_t lobe_roulette = 3; // .x which lobe, .y Russian roulette
-// The direction in which a path leaves what the camera sees decides, together with the point in the
-// pixel, most of its radiance: the two pairs are one point in four dimensions.
+// Two decisions determine most of a path's radiance: the point in the pixel, and the direction in
+// which the path leaves the first surface. So their two pairs are one point in four dimensions.
 constexpr std::uint32_t first_direction = first_bounce + direction;
 } // namespace dimension
 
@@ -85,8 +85,8 @@ HD_HOT BounceNumbers Sampler::get_bounce(std::uint32_t bounce) const {
             lobe_roulette.x, lobe_roulette.y};
 }
 
-// Whitted's tracer sends a shadow ray to every light from every node of its ray tree: a pair of
-// their own for each, far from the others by hashing.
+// Whitted's tracer sends a shadow ray to every light from every node of its ray tree. Each of them
+// has a pair of dimensions of its own; a hash of node and light gives its number.
 HD std::uint32_t shadow_ray_dimension(std::uint32_t node, int light) {
     return pcg4d({bounce_dimension(node, dimension::light_point), std::uint32_t(light), 0, 0}).x;
 }

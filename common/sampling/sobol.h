@@ -1,4 +1,4 @@
-// Owen-scrambled Sobol points in two dimensions: random, yet spread as evenly as points can be.
+// Owen-scrambled Sobol points in two dimensions: random points that are spread very evenly.
 // Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020.
 //
 // The first 2^m points are a (0,m,2)-net: cut the unit square into 2^m equal boxes 2^-a wide and

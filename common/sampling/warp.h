@@ -11,8 +11,8 @@
 
 namespace raylab {
 
-// The square as [-1, 1]^2. A sample in [0, 1) stands for a cell of width 2^-24; half a cell more is
-// its centre, exact in float, so neither the border nor the centre is ever met.
+// The square as [-1, 1]^2. A sample in [0, 1) stands for a cell of width 2^-24. Adding half a cell
+// gives the cell's centre, which float holds exactly. So no point lies on the border or at 0.
 HD Vec2 centred(Vec2 u) { return (2.0f * u - 1.0f) + 0x1p-24f; }
 
 // Uniform on the unit disk, density 1/pi. Squares around the centre become circles (Shirley and
@@ -20,7 +20,7 @@ HD Vec2 centred(Vec2 u) { return (2.0f * u - 1.0f) + 0x1p-24f; }
 // radius, the ratio of the two the angle, in eighths of a turn from that axis.
 HD_HOT Vec2 sample_disk(Vec2 u) {
     const Vec2 a = centred(u);
-    // Selected, not branched to: which half of the square is as good as random.
+    // A selection instead of a branch: a CPU cannot predict in which half of the square u lies.
     const bool wide = fabsf(a.x) > fabsf(a.y);
     const float radius = wide ? a.x : a.y, other = wide ? a.y : a.x;
     const Vec2 p = radius == 0 ? Vec2(0) : radius * cos_sin_octant(other / radius);

@@ -8,7 +8,8 @@
 
 namespace raylab {
 
-// Quads in their order, sixteen a group. Whoever changes a scene's quads calls this again.
+// Puts quads into groups of sixteen, in their order. Call it again after a change of a scene's
+// quads.
 std::vector<QuadGroup> group_quads(const std::vector<Quad>& quads);
 
 } // namespace raylab

@@ -1,4 +1,4 @@
-// The list of a scene's arrays: the only one. What copies, counts or points to them all visits it.
+// The one list of a scene's arrays. Code that copies, counts or points to all of them uses it.
 #pragma once
 
 #include "common/scene/scene.h"

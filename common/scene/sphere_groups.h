@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-// Spheres in their order, sixteen a group. Whoever changes a scene's spheres calls this again.
+// Puts spheres into groups of sixteen, in their order. Call it again after a change of the spheres.
 std::vector<SphereGroup> group_spheres(const std::vector<Sphere>& spheres);
 
 } // namespace raylab

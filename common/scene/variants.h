@@ -1,7 +1,7 @@
 // The closed set of kernel variants: a scene runs in the first that covers its features.
 //
-// More variants would make each a little faster and every build slower; the bench tells what
-// generality costs.
+// With more variants, each would be a little faster and every build slower. The bench measures what
+// a general kernel costs.
 #pragma once
 
 #include "common/material/material.h"

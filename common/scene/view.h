@@ -12,7 +12,7 @@
 
 namespace raylab {
 
-// What lies outside an image: its repetition, its border's colour, its mirror image and so on.
+// What lies outside an image: the image again, the colour of its border, or its mirror image.
 enum class Wrap : int { repeat, clamp, mirror };
 
 // An image in SceneView::texels, row 0 at the bottom (v = 0), linear RGB.
@@ -30,8 +30,8 @@ struct Environment {
     int light = -1;          // index into SceneView::lights, or -1: no environment
     int width = 0, height = 0;
     float turn = 0; // of the map, in turns; at most half a column either way
-    // Over the map's texels, to sample them in proportion to luminance * sin(theta), but none that
-    // glows too rarely (load/environment_map.h):
+    // Cumulative distributions over the texels, in proportion to luminance * sin(theta). No texel
+    // that glows has a smaller probability than load/environment_map.h says:
     Array<Vec3> map;         // width * height radiances, row by row
     Array<float> row_cdf;    // height + 1: P(row < i)
     Array<float> column_cdf; // height * (width + 1): P(column < j | row)
