@@ -13,7 +13,7 @@
 
 namespace raylab {
 
-// Parts of `size` that cover n things; the last may overhang.
+// The number of parts of `size` things that cover n things. The last part may be incomplete.
 constexpr int parts_for(std::int64_t n, int size) {
     return static_cast<int>((n + size - 1) / size);
 }

@@ -1,4 +1,4 @@
-// Axis-aligned boxes and the slab test that loses no ray.
+// Axis-aligned boxes, and a slab test that misses no box which the ray crosses.
 // Williams et al., An Efficient and Robust Ray-Box Intersection Algorithm, 2005;
 // Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013.
 #pragma once
@@ -34,7 +34,8 @@ struct SlabRay {
     }
 };
 
-// Does the ray cross the box within [0, t_max]? May say yes to a near miss, never no to a hit.
+// Does the ray cross the box within [0, t_max]? The answer for a near miss may be yes; the answer
+// for a hit is never no.
 //
 // Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in
 // a face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as

@@ -1,7 +1,7 @@
-// Hit points keep a few ulps away from the edges of their face.
+// Hit points are kept a few ulps away from the edges of their face.
 //
-// Rounding may put a hit on the floor of a room into the plane of the wall beside it, or behind. Of
-// the rays that leave from there half would never meet that wall.
+// Rounding may put a hit point on the floor of a room into the plane of the wall beside it, or
+// behind that plane. Half of the rays that leave from there would never meet the wall.
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -21,7 +21,8 @@ template <int n> HD DVec3 edge_clearance(const Vec3 (&v)[n], DVec3 p, float erro
            (16.0 * error + 0x1p-48 * (lever.x + lever.y + lever.z));
 }
 
-// The point next to p that has this clearance from every edge, or as much as the face has room for.
+// The point nearest to p that has this clearance from every edge, or as much clearance as the face
+// has room for.
 template <int n>
 HD_RARE DVec3 moved_inside(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p, DVec3 clearance) {
     const auto edge_from = [&](int i) { return DVec3(v[i + 1 < n ? i + 1 : 0]) - DVec3(v[i]); };
@@ -86,7 +87,7 @@ HD_HOT DVec3 clear_of_edges(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p
 // The same question for a parallelogram, asked quickly: by its own coordinates, c0 and c1 of p in
 // [0, 1], the distance from the nearest edge is at least the smallest of c0, 1 - c0, c1, 1 - c1
 // divided by the steepness. No axis has more clearance than `most`, so no direction has more than
-// sqrt(3) most. May say no to a point that is clear: clear_of_edges() knows.
+// sqrt(3) most. The answer for a clear point may be no; clear_of_edges() then decides.
 HD bool is_surely_clear_of_edges(const Quad& quad, DVec3 p, float error) {
     const Vec3 here(p), lever = abs(here - quad.v[2]);
     const float most = gamma_bound(16) * max_component(abs(here)) + 16 * error +

@@ -1,5 +1,4 @@
-// A quad from its corners, with all that the tests of a ray would otherwise work out again and
-// again.
+// Makes a quad from its corners, and computes once what the test of every ray needs.
 #pragma once
 
 #include "common/geometry/error.h"

@@ -1,4 +1,4 @@
-// Ray and plane, in double: grazing rays and origins next to the plane keep their digits.
+// Ray and plane, in double, so that grazing rays and origins next to the plane lose no precision.
 #pragma once
 
 #include "common/geometry/shapes.h"

@@ -1,7 +1,7 @@
 // Ray and quad: two triangles that share the diagonal v[0] v[2].
 //
-// The corners' rounding leaves no quad quite flat; seen edge-on it may even look like a bow tie.
-// Its halves are flat, and have no hole from anywhere.
+// Rounding of the corners makes every quad a little warped; seen edge-on it may even look like a
+// bow tie. Its two halves are triangles, which are flat, and no ray passes between them.
 #pragma once
 
 #include "common/geometry/triangle.h"

@@ -1,13 +1,14 @@
 // Up to sixteen quads side by side, and a first glance at all of them at once.
 //
-// A ray misses most quads of a room. Whether it meets one is decided in double (quad.h); that it
-// does not come near one shows in float already, and a compiler puts the same few operations on
-// sixteen floats into one or two vector instructions. So a glance drops the quads that the ray
-// misses for certain, says of the others from where on it might meet them, and of some that it is
-// inside for certain.
+// A ray misses most quads of a room. The exact test is in double (quad.h). Float is enough to see
+// that the ray passes far from a quad, and a compiler computes the same few operations for sixteen
+// quads with one or two vector instructions. So a glance drops the quads that the ray certainly
+// misses. For each of the others it tells from which t on the ray might meet it, and whether the
+// ray certainly passes inside it.
 //
 // "For certain" is a bound on every rounding between the float computation and the exact one
-// (Higham, section 3.1): a glance keeps a quad that the ray just misses, it never loses one.
+// (Higham, section 3.1). A glance may keep a quad that the ray just misses; it never drops a quad
+// that the ray meets.
 #pragma once
 
 #include "common/geometry/ray.h"

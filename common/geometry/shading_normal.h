@@ -1,5 +1,5 @@
-// The normal that shades a triangle whose corners have normals of their own: interpolated, and kept
-// where it is of use. All vectors are unit.
+// The shading normal of a triangle whose corners have normals of their own. It is interpolated, and
+// then bent where wo would see its back. All vectors are unit.
 #pragma once
 
 #include "common/math/numbers.h"

@@ -15,8 +15,8 @@ struct ShapeTags {
     int light;    // index into SceneView::lights, or -1 if the shape does not emit
 };
 
-// In double: the surface lies where a large center and a large radius nearly cancel, and rounding
-// either of them moves it by ulps of the radius.
+// In double. Near the surface, a large center and a large radius nearly cancel, so rounding one of
+// them to float would move the surface by ulps of the radius.
 struct Sphere {
     DVec3 center;
     double radius; // > 0

@@ -1,16 +1,16 @@
 // The space in which triangles and quads are tested: the ray is the z axis.
 // Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
 //
-// The ray passes a face if it passes its edges on the same side. Which side that is, is decided
-// without error: in double, from floats, and where even double leaves it open the ray counts as on
-// both sides. So of the faces around an edge or a corner, at least one is hit by a ray through it.
+// A ray passes through a face if it passes all edges of the face on the same side. The side is
+// computed in double from floats. If even double cannot decide it, the ray counts as on both sides.
+// So a ray through an edge or a corner hits at least one of the faces around it.
 //
 // In float the far corners of a large face shift its edges by their own rounding: a ray that starts
 // a few ulps above such a face, beside an edge, could find neither it nor its neighbour.
 //
-// What double leaves open is a matter of the face's distance. A face smaller than that would be hit
-// by rays that pass it far away, so an edge too close to call is looked at again, with an error in
-// proportion to its own length.
+// The error of double grows with the distance of the face. Rays that pass far from a very small
+// face would hit it by this error. So an edge that cannot be decided is tested again, with an error
+// in proportion to its own length.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -34,7 +34,7 @@ struct ShearedRay {
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        // Selected, not indexed: an index would put the ray into a GPU's slow local memory.
+        // A selection, because an index would put the ray into a GPU's slow local memory.
         const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
         ox = along(r.o, kx), oy = along(r.o, ky), oz = along(r.o, kz);
         sx = along(r.d, kx) / double(along(r.d, kz));

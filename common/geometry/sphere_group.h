@@ -1,8 +1,8 @@
 // Up to sixteen spheres side by side, and a first glance at all of them at once: as quad_group.h.
 //
-// A ray misses most spheres of a heap. Whether it meets one is decided in double (sphere.h); that
-// it passes by at a distance shows in float already, for sixteen spheres in a few vector
-// instructions. A glance keeps a sphere that the ray just misses, it never loses one.
+// A ray misses most spheres of a heap. The exact test is in double (sphere.h). Float is enough to
+// see that the ray passes far from a sphere, for sixteen spheres with a few vector instructions. A
+// glance may keep a sphere that the ray just misses; it never drops a sphere that the ray meets.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -20,7 +20,7 @@ struct SphereGroup {
     float radius[spheres_per_group];
 };
 
-// So few are tested as fast as they are glanced at.
+// Up to this number of spheres, testing all of them is as fast as a glance.
 constexpr int few_spheres = 4;
 
 //[ withhold 01

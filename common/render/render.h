@@ -12,14 +12,14 @@ struct Render {
     Ledger ledger;
 };
 
-// The render so far, in place of what `render` was, of a renderer that draws its scene with the
-// scene's own seed. The film is copied from the device once, strip by strip: the image is all the
-// memory that this takes.
+// Writes the image and the ledger so far to `render`, for a renderer that draws its scene with the
+// scene's own seed. The film is copied from the device once, strip by strip, so this takes no
+// memory beside the image.
 void develop(const Renderer& renderer, const Scene& scene, Render& render);
 Render develop(const Renderer& renderer, const Scene& scene);
 
-// Adds `samples` samples to every pixel, or fewer: before each, stop() may end the loop. Calls
-// after_sample(done) when another is done, and returns how many were.
+// Adds `samples` samples to every pixel, or fewer if stop() returns true before one of them. Calls
+// after_sample(done) after each sample. Returns the number of samples that were added.
 int add_samples(Renderer& renderer, int samples,
                 const std::function<void(int done)>& after_sample = {},
                 const std::function<bool()>& stop = {});

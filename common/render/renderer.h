@@ -30,7 +30,8 @@ struct MachineSettings {
     bool records = true; // keep a PathRecord for each pixel; tests read them, pictures need none
 };
 
-// A lab cannot meet these settings for this scene: what() says why, and what would do.
+// Thrown if a lab cannot meet these settings for this scene. what() says why, and which settings
+// would work.
 struct SettingsError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

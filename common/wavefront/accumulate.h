@@ -1,7 +1,8 @@
-// Accumulation: the unaccumulated colours join the film, once the last path of the batch has ended.
+// Accumulation: once the last path of the batch has ended, the radiance of each path is added to
+// the film.
 //
-// All paths of the batch, not those that are alive: a path that ended early brings its light too.
-// Each is added once, by the one thread that owns its pixel now.
+// The kernel runs over all paths of the batch, because paths that ended early bring light too. Each
+// path is added once, by the one thread that owns its pixel.
 #pragma once
 
 #include "common/wavefront/path_pool.h"

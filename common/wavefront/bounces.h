@@ -11,7 +11,7 @@ inline int most_bounces(const RenderSettings& settings) {
                                                       : settings.max_depth;
 }
 
-// What a tree does past 64 bounces is counted in the last of them.
+// Bounces of a tree beyond the 64th are counted as the 64th.
 inline int counted_bounces(const RenderSettings& settings) {
     return settings.integrator == Integrator::whitted ? 64 : settings.max_depth;
 }

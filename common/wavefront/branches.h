@@ -1,10 +1,10 @@
 // Whitted's branches in a wavefront.
 //
-// Glass sends two rays on. To push both into the pool would be the obvious way, and would lose the
-// order in which a pixel's branches are added up, and with it the last bits. So a path keeps its
-// slot and traces its tree one branch a bounce, newest first, as the loop of lab 02 does; the
-// branches that wait lie in a stack of its own. All pixels' trees are traced side by side, and one
-// deep tree keeps a launch alive for itself alone: compaction pays here more than anywhere.
+// Glass sends two rays on. If both were pushed into the pool, a pixel's branches would be added up
+// in another order, and the last bits of the sum would change. So a path keeps its slot and traces
+// one branch of its tree a bounce, the newest first, as the loop of lab 02 does. The branches that
+// wait lie in a stack that belongs to the slot. The trees of all pixels are traced side by side.
+// The deepest tree decides how many launches there are, so compaction saves most here.
 #pragma once
 
 #include "common/wavefront/path_pool.h"

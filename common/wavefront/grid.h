@@ -19,8 +19,8 @@ __device__ inline std::int64_t global_index() {
     return grid_index(blockIdx.x, blockDim.x, threadIdx.x);
 }
 
-// Takes a place in a queue of `size` slots so far. Which path gets which place depends on chance,
-// but paths share nothing, so the image does not.
+// Puts the slot at the end of a queue that has `size` slots so far. The order of the slots depends
+// on the order of the threads. The image does not, because paths share nothing.
 __device__ inline void push(int* queue, int& size, int slot) { queue[atomicAdd(&size, 1)] = slot; }
 
 } // namespace raylab

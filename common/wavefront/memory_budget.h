@@ -1,7 +1,8 @@
 // How large a pool the memory allows.
 //
-// "Single biggest constraint is memory": scene and film must fit as they are, the pool takes what
-// is left, for a smaller pool draws the same image in more batches. Below one warp it is refused.
+// "Single biggest constraint is memory". Scene and film have fixed sizes; the pool takes what is
+// left, because a smaller pool draws the same image in more batches. A pool below one warp is
+// refused.
 #pragma once
 
 #include "common/render/renderer.h"

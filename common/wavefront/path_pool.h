@@ -1,9 +1,9 @@
-// The ray pool: all that a path must not forget from one launch to the next.
+// The ray pool: what a path must keep from one launch to the next.
 //
-// A megakernel keeps its path in registers from the camera to the end. Kernels that trace ONE
-// bounce write it down. It lies as a *structure of arrays*: the threads of a warp read the same
-// field of neighbouring slots, so their 32 reads fall into few sectors of memory. Slots stay where
-// they are while a path lives; what moves is the list of the slots that are alive.
+// A megakernel keeps its path in registers from the camera to the end. A kernel that traces ONE
+// bounce must store the path in memory. The pool is a *structure of arrays*: the threads of a warp
+// read the same field of neighbouring slots, so their 32 reads fall into few sectors of memory. A
+// path stays in its slot as long as it lives; only the list of the slots that are alive changes.
 // Laine, Karras and Aila, Megakernels Considered Harmful, HPG 2013, section 4.
 #pragma once
 

@@ -1,4 +1,5 @@
-// What outlives the paths: film, records, and what the ledger says of each bounce.
+// The arrays that stay when paths end: the film, the records, and the counts of each bounce for the
+// ledger.
 #pragma once
 
 #include "common/device/device_array.h"

@@ -1,4 +1,4 @@
-// What outlives the paths, as kernels see it.
+// The arrays that stay when paths end, as kernels see them.
 #pragma once
 
 #include "common/film/film.h"

@@ -5,8 +5,8 @@
 
 namespace raylab {
 
-// From the second surface on, a path survives with probability q,
-// and survivors count 1/q, so the mean stays.
+// From the second surface on, a path survives with probability q. The throughput of a survivor is
+// divided by q, so the mean of the radiance stays the same.
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     if (bounce < 1) return true;
     const float q = glm::min(1.0f, 2.5f * max_component(throughput));

@@ -1,7 +1,8 @@
 // Shading: at every surface that was hit, the light it gives and the ray that goes on.
 //
-// The body of lab 02's loop, with the two calls cut out that trace rays: what it used to return to
-// itself it writes into the pool. PBR4e 13.2 and 14.1; Laine, Karras and Aila 2013, section 3.
+// The body of lab 02's loop, without the two calls that trace rays. Lab 02 keeps the next ray and
+// the shadow ray in variables; here they are written into the pool. PBR4e 13.2 and 14.1; Laine,
+// Karras and Aila 2013, section 3.
 #pragma once
 
 #include "common/trace/texture.h"

@@ -1,7 +1,7 @@
 // What each stage of a wavefront takes: launches, blocks, threads, and time on the device.
 //
-// Time is taken by events in the stream, so that the host need not wait for each launch. What is
-// missing between their sum and the wall clock is launching, copying and waiting.
+// Events in the stream measure the time, so that the host need not wait for each launch. The
+// difference between their sum and the wall clock is the time for launching, copying and waiting.
 #pragma once
 
 #include "common/device/launch.h"
