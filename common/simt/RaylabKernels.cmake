@@ -26,5 +26,22 @@ function(raylab_kernel_sources target)
         set_source_files_properties(${out} PROPERTIES COMPILE_OPTIONS
             "-iquote;${folder};-Wno-unknown-pragmas;-Wno-sign-compare;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
         target_sources(${target} PRIVATE ${out})
+        raylab_show_editor(${target} ${source})
     endforeach()
+endfunction()
+
+# raylab_show_editor(<target> <file.cu>): a line of compile_commands.json for the file itself, by which clangd
+# reads it as CUDA with the CPU machine's headers (editor.h). Nothing is ever built from it.
+function(raylab_show_editor target source)
+    set(editor ${target}_in_editor)
+    if(NOT TARGET ${editor})
+        add_library(${editor} OBJECT EXCLUDE_FROM_ALL)
+        target_link_libraries(${editor} PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
+        target_compile_options(${editor} PRIVATE
+            "SHELL:-x cuda" --cuda-device-only -nocudainc -nocudalib
+            "SHELL:-Xclang -fcuda-allow-variadic-functions" "SHELL:-include ${CMAKE_SOURCE_DIR}/common/simt/editor.h"
+            -Wno-unknown-cuda-version -Wno-unknown-pragmas -Wno-sign-compare)
+    endif()
+    target_sources(${editor} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES LANGUAGE CXX)
 endfunction()

@@ -14,8 +14,13 @@ struct dim3 {
     constexpr operator uint3() const { return {x, y, z}; }
 };
 
+#if defined(__CUDA__) // an editor's clang (editor.h): no variable of a device is a thread's
+extern __attribute__((device)) const uint3 threadIdx, blockIdx;
+extern __attribute__((device)) const dim3 blockDim, gridDim;
+#else
 inline constinit thread_local uint3 threadIdx{};
 inline constinit thread_local uint3 blockIdx{};
 inline constinit thread_local dim3 blockDim{};
 inline constinit thread_local dim3 gridDim{};
+#endif
 inline constexpr int warpSize = 32;

@@ -6,18 +6,27 @@
 // and plain statics. A worker is one operating system thread for as long as its block runs.
 #pragma once
 
+#define __managed__
+#define __grid_constant__
+#define __forceinline__ inline __attribute__((always_inline))
+#define __align__(bytes) __attribute__((aligned(bytes)))
+
+#if defined(__CUDA__) // an editor's clang, which knows CUDA (editor.h)
+#define __global__ __attribute__((global))
+#define __device__ __attribute__((device))
+#define __host__ __attribute__((host))
+#define __constant__ __attribute__((constant))
+#define __shared__ __attribute__((shared))
+#define __launch_bounds__(...) __attribute__((launch_bounds(__VA_ARGS__)))
+#else
 #define __global__
 #define __device__
 #define __host__
 #define __constant__
-#define __managed__
-#define __grid_constant__
 #define __launch_bounds__(...)
-#define __forceinline__ inline __attribute__((always_inline))
-#define __align__(bytes) __attribute__((aligned(bytes)))
-
 #if defined(RAYLAB_CHECK_ADDRESS)
 #define __shared__ static
 #else
 #define __shared__ static thread_local
+#endif
 #endif

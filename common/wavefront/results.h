@@ -7,7 +7,7 @@
 namespace raylab {
 
 // Counters are privatised, as in lab 02: blocks add to different copies.
-constexpr int shards = 16;
+inline constexpr int shards = 16;
 
 // Per shard and bounce: the paths that ended there, by cause.
 struct EndTally {

@@ -22,7 +22,8 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 
 // What every tree has, apart from its lab.
 const std::vector<std::string> given = {
-    ".clang-format", ".gitignore",   "CMakeLists.txt", "CMakePresets.json",
+    ".clang-format", ".clangd",      ".devcontainer",  ".editorconfig",
+    ".gitignore",    ".vscode",      "CMakeLists.txt", "CMakePresets.json",
     "LICENSE",       "packages.txt", "raylab",         "app",
     "cmake",         "common",       "grader",         "scenes"};
 

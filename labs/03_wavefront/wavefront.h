@@ -12,7 +12,7 @@
 namespace raylab::lab03 {
 
 // In place of a bounce: paths of all bounces share the launch.
-constexpr int mixed_bounces = -1;
+inline constexpr int mixed_bounces = -1;
 
 class Wavefront {
   public:

@@ -29,7 +29,7 @@ __global__ void generate_kernel(const WavefrontView* wave, int first, int n, int
 
 // Adds up what n walks visited.
 __global__ void add_counts_kernel(const WalkCounts* counts, int n, WalkTally* tally);
-constexpr int counts_per_thread = 64;
+inline constexpr int counts_per_thread = 64;
 
 __global__ void accumulate_kernel(const WavefrontView* wave, int n, Results results);
 
