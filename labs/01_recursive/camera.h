@@ -1,4 +1,4 @@
-// Camera rays: through which point of which pixel does light reach the eye?
+// Camera rays: the ray from the eye through a point of a pixel.
 #pragma once
 
 #include "common/camera/camera.h"
@@ -16,7 +16,7 @@ inline Ray camera_ray(const Camera& camera, int x, int y, Vec2 u_film, Vec2 u_le
     if (camera.lens_radius == 0)
         return {camera.position, normalize(camera.forward + sx * camera.right + sy * camera.up)};
 
-    // A thin lens: wherever on the lens the ray starts, it meets the plane in focus at one point.
+    // A thin lens: all rays of a film point meet in one point of the plane in focus.
     // The way there, in the camera's frame, is (sx, sy, 1) focus_distance - (lens, 0). In world
     // space it would be a difference of positions, and far from the origin all digits would cancel.
     const Vec2 lens = camera.lens_radius * sample_disk(u_lens);

@@ -1,4 +1,4 @@
-// Diffuse reflection, and directions drawn as it wants them.
+// Diffuse reflection, and directions with the density that fits it.
 //
 //     f = albedo / pi,   pdf = cos / pi,   so that  f cos / pdf = albedo.
 #pragma once
@@ -9,8 +9,8 @@
 
 namespace raylab::lab01 {
 
-// A direction of the upper hemisphere with density cos(theta) / pi. Malley's method: points uniform
-// on the unit disk, lifted straight up to the hemisphere, thin out towards its rim as the cosine.
+// A direction of the upper hemisphere with density cos(theta) / pi, by Malley's method: choose a
+// point uniformly on the unit disk and lift it straight up to the hemisphere.
 inline Vec3 sample_cosine(Vec2 u) {
     //[ task 1.5
     const Vec2 disk = sample_disk(u);

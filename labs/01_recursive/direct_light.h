@@ -33,8 +33,8 @@ inline Vec3 light_from(const Path& path, DirectLight strategy, int light, float 
     record_shadow_ray(path.record);
     if (any_hit(scene, shadow_ray)) return Vec3(0);
 
-    // A BSDF sample might have found the same light: the power heuristic shares between the two,
-    // unless only the light sample can (a point light) or may.
+    // A BSDF sample might have found the same light, so the power heuristic weights the two. No
+    // weight is needed if only the light sample can find it (a point light), or only it may.
     const float pdf = p_choice * sample.pdf;
     const bool alone = sample.delta || strategy == DirectLight::light;
     const float weight = alone ? 1.0f : power_heuristic(pdf, bsdf.pdf);

@@ -1,4 +1,4 @@
-// Glass: how much light a smooth interface reflects, and where the rest goes.
+// Glass: how much light a smooth interface reflects, and in which direction the rest is refracted.
 //
 // Fresnel's equations for unpolarised light; Snell's law sin(theta_i) = eta sin(theta_t), where eta
 // is the index of refraction on the far side over that on the near side.
@@ -25,7 +25,7 @@ inline float reflected_part(float cos_i, float eta) {
 }
 
 // The refracted direction of wo, a unit vector with wo.z != 0 (local: z is the outward normal).
-// Snell's law shrinks the part along the surface; the part across makes up the unit length.
+// Snell's law divides the part along the surface by eta. The part across follows from length 1.
 inline Vec3 refracted_direction(Vec3 wo, float eta) {
     //[ task 1.6
     const Vec3 along = -Vec3(wo.x, wo.y, 0) / eta;
@@ -51,7 +51,7 @@ inline GlassSplit split_glass(const Material& material, Vec3 wo) {
     return {Vec3(-wo.x, -wo.y, wo.z), refracted, reflectance};
 }
 
-// One of the two at random, reflection with probability F: F and 1 - F cancel out of the weight.
+// Chooses reflection with probability F, else refraction. F and 1 - F cancel out of the weight.
 inline BsdfSample scatter_glass(const Material& material, Vec3 tint, Vec3 wo, float u_lobe) {
     //[ task 1.6
     const GlassSplit split = split_glass(material, wo);

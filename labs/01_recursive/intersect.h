@@ -1,4 +1,4 @@
-// What does a ray meet first, and does it meet anything at all?
+// closest_hit() finds the first shape that a ray meets; any_hit() asks whether there is any.
 #pragma once
 
 #include "common/geometry/quad.h"
@@ -25,7 +25,7 @@ void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit) {
         if (intersect(scene.quads[i], sheared, t) &&
             !visit(Shape::quad, i, scene.quads[i].tags.id, t))
             return;
-    // Triangles come in runs of neighbours with a box around them: skip a run whose box is missed.
+    // Triangles lie in runs of neighbours with a box around each run: skip it if the box is missed.
     const SlabRay slab(ray);
     for (int r = 0; r < scene.runs.size; ++r) {
         const TriangleRun& run = scene.runs[r];
@@ -37,7 +37,7 @@ void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit) {
     }
 }
 
-// The closest hit; of two at the same t, that of the lowest id.
+// The closest hit. Of two hits at the same t, the one with the lower id counts.
 inline Hit closest_hit(const SceneView& scene, const Ray& ray) {
     Hit hit;
     //[ task 1.2

@@ -16,9 +16,9 @@ namespace raylab::lab01 {
 
 namespace {
 
-// Russian roulette: from the second surface on, the path goes on with probability q, and what it
-// brings counts 1/q. q is 2.5 times the largest channel of the throughput, the product of all
-// weights so far: the one thing a recursion has to be told about its past.
+// Russian roulette: from the second surface on, the path goes on with probability q, and its
+// radiance is divided by q. q is 2.5 times the largest channel of the throughput. The throughput is
+// the product of all weights so far; a call cannot know it, so it is an argument.
 float survival_probability(Vec3 throughput, int bounce) {
     if (bounce < 1) return 1;
     return std::min(1.0f, 2.5f * max_component(throughput));

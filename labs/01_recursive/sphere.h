@@ -2,11 +2,11 @@
 //
 // With f = o - center, |o + t d - center|^2 = r^2 is the quadratic  a t^2 - 2 b t + c = 0,
 //     a = d.d,   b = -f.d,   c = f.f - r^2.
-// The textbook's b^2 - a c subtracts two large numbers that nearly agree, and far away spheres
-// fray. Comparing r with the distance of the line from the centre does not (Haines, Gunther,
-// Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7,
-// 2019). The terms themselves are rounded too: in double, which a CPU does as fast, t comes out
-// right to the last bit.
+// The textbook's b^2 - a c subtracts two large numbers that nearly agree, and far spheres get rough
+// edges. The distance of the line from the centre, compared with r, has no such cancellation
+// (Haines, Gunther, Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing
+// Gems ch. 7, 2019). The terms are rounded too, so they are computed in double, which costs a CPU
+// nothing: t is then correct to the last bit.
 #pragma once
 
 #include "common/geometry/shapes.h"

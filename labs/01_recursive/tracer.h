@@ -1,4 +1,4 @@
-// The two recursive tracers, and what every call of theirs shares.
+// The two recursive tracers, and the data that all their calls share.
 #pragma once
 
 #include "common/film/ledger.h"

@@ -1,8 +1,8 @@
 // Where does a ray meet a triangle?
 //
-// Seen along the ray, the triangle is flat and the ray is the point (0, 0): it passes inside if it
-// passes all three edges on the same side. An edge too close to call is passed on both, so of the
-// two triangles of a shared edge at least one is hit (Woop, Benthin, Wald, JCGT 2(1), 2013).
+// Seen along the ray, the ray is the point (0, 0). It passes inside the triangle if it passes all
+// three edges on the same side. An edge that cannot be decided counts as passed on both sides, so
+// a ray through a shared edge hits one of its triangles (Woop, Benthin, Wald, JCGT 2(1), 2013).
 #pragma once
 
 #include "common/geometry/plane.h"
@@ -22,7 +22,7 @@ inline bool hit_triangle(const Triangle& triangle, const ShearedRay& ray, float&
         edge_error(std::max({a.width, b.width, c.width}), std::max({a.size, b.size, c.size}));
     const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
     if (!encloses(ab, bc, ca, error)) return false;
-    // Too close for its distance: by the lengths of its edges, or a speck would be hit from afar.
+    // Decide close edges again by their lengths, or rays far from a tiny triangle would hit it.
     if (is_close(ab, bc, ca, error) && !encloses_closely(ray, v[0], v[1], v[2])) return false;
 
     // Where the ray crosses the triangle's plane: t = n.(v0 - o) / n.d.

@@ -1,8 +1,8 @@
 // Whitted's recursive ray tracer. Whitted, An Improved Illumination Model for Shaded Display, 1980;
 // the lecture's "Recursive Ray-tracing".
 //
-// Shadow rays to every light; a mirror asks what it reflects by calling the tracer again, glass
-// asks twice. Rays form a tree: depth first comes by itself.
+// A surface sends shadow rays to every light. A mirror calls the tracer again for the light that it
+// reflects, glass calls it twice. So the rays form a tree, which the calls visit depth first.
 #include "labs/01_recursive/tracer.h"
 
 #include "common/trace/texture.h"

@@ -2,9 +2,9 @@
 //
 // The rendering equation, unrolled along one random path p0 p1 p2 ...:
 //     L = Le(p1) + T1 Le(p2) + T1 T2 Le(p3) + ...,   Tk = f(pk) |cos| / pdf.
-// The recursive tracer multiplies by Tk on its way back; a loop cannot come back, so it carries the
-// product T1 T2 ... Tk forward: the *throughput*. It starts at one, because nothing has absorbed
-// anything yet, and what each surface gives is added times it.
+// The recursive tracer multiplies by Tk when a call returns. A loop has no calls that return, so it
+// carries the product T1 T2 ... Tk forward: the *throughput*. It starts at one. The light that a
+// surface adds is multiplied by it.
 #pragma once
 
 #include "common/task/not_implemented.h"
@@ -15,8 +15,8 @@ namespace raylab::lab02 {
 
 // Russian roulette: a path survives with probability q, and survivors count 1/q, so the mean stays.
 //     E[survives ? T/q : 0] = q (T/q) = T
-// Any q will do for that. Dim paths are the ones to end: from the second surface on, q = 2.5 times
-// the largest channel of the throughput, so that a path with 40 % of its light left never ends.
+// This holds for any q. Dim paths should end: from the second surface on, q = 2.5 times the largest
+// channel of the throughput, so a path with 40 % of its light or more is never ended.
 // Returns false if the path ends. u: random, uniform in [0, 1).
 HD bool survives_roulette(Vec3& throughput, int bounce, float u) {
     //[ task 2.5

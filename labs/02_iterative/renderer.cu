@@ -16,13 +16,13 @@ namespace raylab::lab02 {
 
 namespace {
 
-// What every thread of an iteration is told.
+// The data that all threads of an iteration read.
 struct Iteration {
     RenderSettings settings;
     std::uint32_t sample; // index of the sample that this iteration adds to every pixel
 };
 
-// Which of the image's pixels, counted row by row, is this thread's? -1: it has none.
+// The number of this thread's pixel, counted row by row; -1 if the thread has no pixel.
 __device__ int pixel_of_thread(int pixels) {
     //[ task 2.2
     const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);

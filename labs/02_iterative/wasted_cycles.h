@@ -1,8 +1,8 @@
 // The lecture's *wasted cycles*, counted.
 //
 // The 32 threads of a warp run in lockstep: while one of them still follows its path, the lanes of
-// those that have finished stand idle. Of every path its thread leaves a record; here one thread a
-// warp reads the 32 records of that warp and adds them up, bounce by bounce.
+// those that have finished are idle. The path kernel leaves a record of every path. Here, one
+// thread for each warp reads the 32 records of that warp and adds them up, bounce by bounce.
 #pragma once
 
 #include "common/device/launch.h"
@@ -11,7 +11,7 @@
 
 namespace raylab::lab02 {
 
-// What a shard counts about one bounce. Sums over the bounces that follow are left to the host.
+// What a shard counts for one bounce. The host forms the sums over the bounces that follow.
 struct BounceTally {
     unsigned long long ended[path_ends]; // paths that ended in this bounce
     unsigned long long warps_ended;      // warps whose longest path ended in this bounce

@@ -1,7 +1,7 @@
-// Stage 7: the unaccumulated colours join the film, once the last path of the batch has ended.
+// Stage 7: once the last path of the batch has ended, each path's radiance is added to the film.
 //
-// All paths of the batch, not those that are alive: a path that ended early brings its light too.
-// Each is added once, by the one thread that owns its pixel now.
+// The kernel runs over all paths of the batch, because paths that ended early bring light too. Each
+// path is added once, by the one thread that owns its pixel.
 #pragma once
 
 #include "common/task/not_implemented.h"

@@ -4,8 +4,8 @@
 //     keep    1 0 1 1 0      1: that slot's path is alive
 //     place   0 1 1 2 3      exclusive scan of keep: how many are kept before
 //     result  3 2 9          each kept slot at its place
-// Stable: what stays keeps its order, so neighbours in the image stay neighbours in a warp. What is
-// moved is four bytes a path; the path itself stays in its slot. GPU Gems 3, 39.3.1.
+// Stable: slots keep their order, so neighbours in the image stay neighbours in a warp. Four bytes
+// a path are moved; the path itself stays in its slot. GPU Gems 3, 39.3.1.
 #pragma once
 
 #include "common/device/device_array.h"

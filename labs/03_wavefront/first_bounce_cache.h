@@ -1,11 +1,11 @@
 // "First bounce cache, second bounce thrash": what the camera rays hit, kept from the first
 // iteration to all that follow.
 //
-// Every iteration traces a camera ray through every pixel. Where it is the same ray each time, it
-// hits the same point, and one search in eight or so is saved. Where it is not, the cache is wrong:
-// a jittered ray would shade a point that it does not see, and edges stay jagged for ever; a lens
-// would be as sharp as a pinhole. Then it is refused. That is nearly always: anti-aliasing is free
-// in a path tracer, and costs the cache.
+// Every iteration traces a camera ray through every pixel. If it is the same ray each time, it hits
+// the same point, and the cache saves about one search in eight. If the rays differ, the cache is
+// wrong: a jittered ray would shade a point that it does not see, so edges would stay jagged, and a
+// lens would be as sharp as a pinhole. Then the cache is refused. Most scenes have jitter for
+// anti-aliasing, so most scenes refuse it.
 #pragma once
 
 #include "common/geometry/ray.h"
@@ -17,8 +17,8 @@
 
 namespace raylab::lab03 {
 
-// Why camera rays differ from one iteration to the next, and what could be changed; nothing if they
-// are always the same.
+// Says why camera rays differ from one iteration to the next, and what could be changed; nothing if
+// they are always the same.
 inline std::optional<std::string> no_first_bounce_cache(const Camera& camera,
                                                         const RenderSettings& render) {
     // Steps:

@@ -1,7 +1,7 @@
 // Which thread does what: in every stage, thread i works for the i-th slot of a list.
 //
-// The list is as long as the rays are many, so that with each bounce a launch needs fewer threads:
-// "as a result, each iteration requires fewer blocks".
+// The list has one entry for each ray, so a launch needs fewer threads from bounce to bounce: "as a
+// result, each iteration requires fewer blocks".
 #include "labs/03_wavefront/kernels.h"
 
 #include "common/scene/variants.h"

@@ -1,4 +1,4 @@
-// Queues of slots: what one stage finds out and a later one works off.
+// Queues of slots: one stage fills them, a later stage works on what is in them.
 #pragma once
 
 #include "common/material/material.h"

@@ -6,10 +6,10 @@
 // predecessors, adding up their sums, until it meets one that knows the sum of everything up to
 // itself. Each number is read once and written once, as in a copy.
 //
-// A tile that waits is waiting for a block. Nothing says in which order blocks start: were block b
-// to take tile b, then blocks with late tiles could fill the device and wait for early ones that
-// find no room, for ever. So tiles are handed out by a counter: who has tile k knows that tiles 0
-// to k - 1 are with blocks that have begun.
+// A tile waits for the blocks of earlier tiles, and blocks may start in any order. If block b took
+// tile b, blocks with late tiles could fill the device and wait for ever for early tiles, whose
+// blocks find no room. So a counter hands out the tiles: a block that gets tile k knows that the
+// blocks of tiles 0 to k - 1 have begun.
 #include "common/device/device_array.h"
 #include "common/task/not_implemented.h"
 #include "labs/03_wavefront/scan_tiles.h"

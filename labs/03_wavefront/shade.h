@@ -1,8 +1,8 @@
 // Stages 3 and 4: at every surface that was hit, the light it gives and the ray that goes on.
 //
-// The body of lab 02's loop, with the two calls cut out that trace rays: what it used to return to
-// itself it writes into the pool. Compiled once for all materials, and once for each kind alone
-// (F without the other kinds): then no thread of a warp waits for another's BSDF.
+// The body of lab 02's loop, without the two calls that trace rays: the next ray and the shadow ray
+// go into the pool. It is compiled once for all materials, and once for each kind alone (F without
+// the other kinds). In those kernels no thread of a warp waits for another thread's BSDF.
 // PBR4e 13.2 and 14.1; Laine, Karras and Aila 2013, section 3.
 #pragma once
 

@@ -1,10 +1,10 @@
 // The scene's shapes in shared memory: "if the scene is sufficiently small, cache geometry data in
 // shared memory".
 //
-// Every ray tests every shape, so all threads of a block read the same few kilobytes over and over.
-// The block copies them once into memory as fast as a register file. "Why might this be a bad idea
-// in some cases?" Because each block needs a copy of its own: what the copies take is missing for
-// further blocks, and the fewer warps a multiprocessor has to choose from, the longer it waits.
+// Every ray tests every shape, so all threads of a block read the same few kilobytes again and
+// again. The block copies them once into shared memory, which is much faster. "Why might this be a
+// bad idea in some cases?" Each block needs a copy of its own. The copies leave less room for other
+// blocks, and with fewer warps to choose from a multiprocessor waits longer.
 #pragma once
 
 #include "common/math/features.h"

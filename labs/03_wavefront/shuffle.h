@@ -1,8 +1,8 @@
 // A permutation without a table: which pixel of a batch a slot gets.
 //
-// To deal the pixels out at random is bad for memory and harmless for the image: the pool must not
-// care which path lies where, and `--shuffle` shows that it does not.
-// Kensler, Correlated Multi-Jittered Sampling, Pixar 13-01, 2013, section 4.
+// A random order of the pixels makes reads of memory slower and leaves the image as it is: no
+// result may depend on the slot of a path, and `--shuffle` shows that none does. Kensler,
+// Correlated Multi-Jittered Sampling, Pixar 13-01, 2013, section 4.
 #pragma once
 
 #include "common/math/hd.h"
