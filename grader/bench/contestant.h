@@ -1,4 +1,4 @@
-// Who takes part in a bench: anything that draws one scene at a number of samples with a seed.
+// A contestant of a bench: a program that draws one scene with a number of samples and a seed.
 #pragma once
 
 #include "common/film/ledger.h"

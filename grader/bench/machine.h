@@ -1,4 +1,4 @@
-// Where and with what a bench was run: without it no figure can be repeated.
+// The machine and the programs with which a bench was run. Without them no figure can be repeated.
 #pragma once
 
 #include <string>

@@ -22,9 +22,9 @@ struct Turns {
     std::vector<std::vector<Drawn>> drawn; // [round][which of Plan::spp]
 };
 
-// First everybody draws once untimed. In each round everybody then draws at every spp; who begins
-// moves on by one from round to round. `after_run` is called after each run with the number of runs
-// done.
+// First every contestant draws once, untimed. In each round every contestant then draws at every
+// spp. The contestant that begins is the next one in each round. `after_run` is called after each
+// run with the number of runs done.
 std::vector<Turns> take_turns(const std::vector<Contestant>& contestants, const Plan& plan,
                               const std::function<void(int)>& after_run = {});
 

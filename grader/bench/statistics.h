@@ -1,4 +1,4 @@
-// What can be said of a value that was measured a few times on a noisy machine.
+// Statistics of a value that was measured a few times on a noisy machine.
 //
 // Medians with distribution-free intervals: nothing is assumed about how other programs disturb the
 // clock. Order-statistic intervals: H. A. David, H. N. Nagaraja, Order Statistics (2003), 7.1. The

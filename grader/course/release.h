@@ -4,7 +4,7 @@
 // One tree a lab: what lab 02 stands on, in common, answers the tasks of lab 01. Files of common
 // that answer a task of the lab are on its sheet's `withhold` list. One that has regions `//[
 // withhold 01` goes out with those regions' stubs in their place, one that has none stays behind.
-// What a later lab withholds is withheld here, too: who has lab 02's tree is yet to write lab 03.
+// Files that a later lab withholds are withheld here, too: students of lab 02 write lab 03 later.
 #pragma once
 
 #include "grader/course/stub_tree.h"

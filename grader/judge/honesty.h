@@ -1,5 +1,5 @@
-// Is the noise what it claims to be? Equal images for different seeds fail; everything else here is
-// a hint, since a correct renderer may have more noise, or less, than the reference's.
+// Is the noise as large as it should be? Equal images for different seeds fail; everything else
+// here is a hint, since a correct renderer may have more noise, or less, than the reference's.
 #pragma once
 
 #include "grader/judge/moments.h"

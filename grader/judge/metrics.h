@@ -1,4 +1,4 @@
-// Measures shown to people and never decided on.
+// Measures that are shown to people. No verdict depends on them.
 #pragma once
 
 #include "common/image/image.h"

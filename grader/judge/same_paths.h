@@ -26,7 +26,7 @@ struct SamePathsResult {
 };
 
 // Both images of the same seed and spp (else: std::invalid_argument). A failure here does not mean
-// that the image is wrong: whoever draws his own random numbers is judged by tier 2.
+// that the image is wrong: a renderer with random numbers of its own is judged by tier 2.
 SamePathsResult judge_same_paths(const Image& image, const Image& reference,
                                  const SamePathsOptions& options = {});
 

@@ -1,4 +1,4 @@
-// What every judgement ends in: passed or not, one sentence for people that says what was measured,
+// The result of a judgement: passed or not, one sentence for people that says what was measured,
 // and the figures.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace raylab {
 
-// Of an image against another of the same size. Measured once, by the judge; who shows a verdict
-// shows these.
+// Measures of an image against another of the same size. The judge computes them once; pages and
+// tables show these numbers.
 struct Measured {
     Metrics metrics;
     ZMap z_map;

@@ -1,4 +1,4 @@
-// The little that is needed to write HTML: escaping, pictures as data addresses, and a page around
+// What is needed to write HTML: escaping, pictures as data addresses, and a page around
 // them.
 #pragma once
 

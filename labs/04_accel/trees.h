@@ -38,7 +38,7 @@ using Prepare = void (*)(Trees& trees);
 struct KnownStructure {
     const char* name;  // on the command line and in the ledger
     const char* title; // the same in words
-    // Returns its seconds, if what has passed meanwhile is not what building took.
+    // Returns the seconds of building, if these differ from the time that has passed meanwhile.
     std::optional<double> (*build)(Trees& trees, const std::vector<Triangle>& triangles,
                                    const MachineSettings& machine);
 };

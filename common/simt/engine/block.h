@@ -1,4 +1,4 @@
-// One block of CUDA threads on one worker: who has had a turn, who waits for whom.
+// One block of CUDA threads on one worker: which threads have run, and which wait for which.
 //
 // The threads of a block run in a loop on one stack. A kernel without barriers is nothing but that
 // loop. The first thread that must wait keeps the stack as its fiber, and the loop goes on, on a

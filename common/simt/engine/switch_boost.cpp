@@ -5,7 +5,7 @@
 
 namespace ctx = boost::context::detail;
 
-// Whoever is entered by a jump learns whom it came from, and where that one is to be remembered.
+// A context that is entered by a jump gets the context that jumped, and the place to store it.
 static void remember(ctx::transfer_t came) { *static_cast<void**>(came.data) = came.fctx; }
 
 extern "C" {
