@@ -96,9 +96,10 @@ TEST_P(EachLab, RestartIsANewRenderer) {
     }
 }
 
-// Kernels that know no lens may draw a scene without one.
+// A scene of quads, diffuse, without a lens, may be drawn by a kernel that knows no lens
+// (common/scene/variants.h).
 TEST_P(EachLab, RestartTakesALensAndGivesItBack) {
-    const Scene scene = small("cornell", 16, 5);
+    const Scene scene = small("cornell_peers", 16, 5);
     expect_restart_is_new(find_lab(GetParam()), scene, {}, with_lens(scene.camera), "a lens");
 }
 
