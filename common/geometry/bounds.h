@@ -37,10 +37,10 @@ struct SlabRay {
 // Does the ray cross the box within [0, t_max]? The answer for a near miss may be yes; the answer
 // for a hit is never no.
 //
-// Near and far faces are chosen by the sign of d, not by min and max of the two: a ray that lies in
-// a face gives 0 * inf = NaN, and a comparison with NaN is false, which here leaves the interval as
-// it was. Each t = (face - o) * inv_d has three roundings, so near and far are compared with that
-// much room, 2 gamma(3), between them.
+// The sign of d chooses the near and the far face. min and max of the two t would fail for a ray
+// that lies in a face, where 0 * inf = NaN. A comparison with NaN is false, so here the interval
+// stays as it is. Each t = (face - o) * inv_d has three roundings, so t_far is enlarged by the
+// errors of both t, 2 gamma(3).
 HD bool crosses(const Bounds& box, const SlabRay& ray, float t_max) {
     float t_near = 0, t_far = t_max;
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,13 +8,14 @@
 
 namespace raylab {
 
-// How far p, a point of the face with corners v, is to stay from an edge, axis by axis: in the
-// direction of the unit vector n that is dot(clearance, |n|).
+// The clearance that p, a point of the face with corners v, must have from an edge, for each axis.
+// In the direction of a unit vector n it is dot(clearance, |n|). It is a sum of three parts:
 //
-// 16 u of each coordinate, because that one is rounded by it and no other is. 16 times `error`, by
-// which p may be off the face and twice which a ray starts above it: a neighbour that leans over
-// the face, at 10 degrees or more, is still in front of that ray. And what the plane of a neighbour
-// as large as this face loses in double, which is all where the coordinates are 0.
+// 16 u of each coordinate, because the rounding of a coordinate is relative to this coordinate
+// alone. 16 times `error`: p may be `error` off the face, and a ray starts twice as far above it.
+// With this part, a neighbour that leans over the face at 10 degrees or more is still in front of
+// the ray. And the rounding error, in double, of the plane of a neighbour as large as this face; it
+// is the only part that is left where the coordinates are 0.
 template <int n> HD DVec3 edge_clearance(const Vec3 (&v)[n], DVec3 p, float error) {
     const DVec3 lever = glm::abs(p - DVec3(v[2]));
     return double(gamma_bound(16)) * glm::abs(p) +
@@ -26,15 +27,16 @@ template <int n> HD DVec3 edge_clearance(const Vec3 (&v)[n], DVec3 p, float erro
 template <int n>
 HD_RARE DVec3 moved_inside(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p, DVec3 clearance) {
     const auto edge_from = [&](int i) { return DVec3(v[i + 1 < n ? i + 1 : 0]) - DVec3(v[i]); };
-    // A triangle has room for a circle of radius 2 area / perimeter, at least 2 area / (3 longest);
-    // the larger half of a quad, with a diagonal of at most 2 longest, for 2 area / (8 longest).
-    DVec3 normal(0); // 2 area long
+    // A triangle holds a circle of radius 2 area / perimeter, which is at least 2 area / (3
+    // longest). The larger half of a quad, with a diagonal of at most 2 longest, holds one of 2
+    // area / (8 longest).
+    DVec3 normal(0); // its length is 2 area
     double longest = 0;
     for (int i = 1; i + 1 < n; ++i) normal += cross(DVec3(v[i]) - DVec3(v[0]), edge_from(i));
     for (int i = 0; i < n; ++i) longest = glm::max(longest, glm::length(edge_from(i)));
     const double room = (n == 3 ? 0.25 : 0.1) * glm::length(normal) / longest;
 
-    // The unit normal of each edge in the face, and how far p is to move along it.
+    // For each edge: its unit normal in the face, and how far p has to move along this normal.
     DVec3 inward[n];
     double missing[n];
     for (int i = 0; i < n; ++i) {
@@ -42,10 +44,11 @@ HD_RARE DVec3 moved_inside(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p,
         missing[i] =
             glm::min(dot(clearance, glm::abs(inward[i])), room) - dot(inward[i], p - DVec3(v[i]));
     }
-    // The points with clearance are the face with each edge moved inwards; the one next to p lies
-    // on such an edge of which p misses something. Edge by edge: what the other edges leave of this
-    // one, from `from` to `to` along it, and of that the place next to p, where tau is 0. (One edge
-    // after the other would not do: in a sharp corner the second push undoes the first.)
+    // The points with clearance form the face whose edges are moved inwards. The nearest of them to
+    // p lies on a moved edge i with missing[i] > 0. For each such edge, the loop computes the part
+    // from `from` to `to` that the other edges leave of it, and the place tau on this part that is
+    // nearest to p. (At tau = 0 the edge is nearest to p.) Moving p off one edge after the other
+    // would fail: in a sharp corner the second move undoes the first.
     DVec3 nearest = p;
     double least = infinity;
     for (int i = 0; i < n; ++i) {
@@ -70,8 +73,8 @@ HD_RARE DVec3 moved_inside(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p,
     return nearest;
 }
 
-// p, a point of the face with corners v in order, with clearance from each of its edges. Points
-// that have it stay where they are. error: how far p may be off the face.
+// Moves p, a point of the face with corners v in order, so that it has clearance from each edge. A
+// point that has clearance already stays where it is. error: how far p may be off the face.
 template <int n>
 HD_HOT DVec3 clear_of_edges(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p, float error) {
     const auto edge_from = [&](int i) { return DVec3(v[i + 1 < n ? i + 1 : 0]) - DVec3(v[i]); };
@@ -84,10 +87,11 @@ HD_HOT DVec3 clear_of_edges(const Vec3 (&v)[n], const ExactPlane& plane, DVec3 p
     return clear ? p : moved_inside(v, plane, p, clearance);
 }
 
-// The same question for a parallelogram, asked quickly: by its own coordinates, c0 and c1 of p in
-// [0, 1], the distance from the nearest edge is at least the smallest of c0, 1 - c0, c1, 1 - c1
-// divided by the steepness. No axis has more clearance than `most`, so no direction has more than
-// sqrt(3) most. The answer for a clear point may be no; clear_of_edges() then decides.
+// Does p certainly have clearance from all edges of a parallelogram? This is a quick test. c0 and
+// c1 in [0, 1] are the coordinates of p along the edges. The distance from the nearest edge is at
+// least the smallest of c0, 1 - c0, c1, 1 - c1, divided by the steepness. No axis has more
+// clearance than `most`, so no direction has more than sqrt(3) most. For a point with clearance the
+// answer may still be no; then clear_of_edges() decides.
 HD bool is_surely_clear_of_edges(const Quad& quad, DVec3 p, float error) {
     const Vec3 here(p), lever = abs(here - quad.v[2]);
     const float most = gamma_bound(16) * max_component(abs(here)) + 16 * error +

@@ -7,8 +7,8 @@
 
 namespace raylab {
 
-// v: convex, in order around the edge, flat to rounding; a scene file's quads are checked when they
-// are read. Host code: a scene is made once.
+// v: convex, in order around the edge, and flat up to rounding. The reader of scene files checks
+// this. Host code only.
 inline Quad make_quad(const Vec3 (&v)[4], ShapeTags tags) {
     const DVec3 e1 = DVec3(v[1]) - DVec3(v[0]), e2 = DVec3(v[3]) - DVec3(v[0]);
     Quad quad{{v[0], v[1], v[2], v[3]},

@@ -5,15 +5,15 @@
 
 namespace raylab {
 
-// Longitude from the x axis towards z over 2 pi, latitude from the south pole (-y) over pi, of the
-// point with unit normal n.
+// u: the longitude of the point with unit normal n, from the x axis towards z, divided by 2 pi. v:
+// its latitude, from the south pole (-y), divided by pi.
 HD Vec2 sphere_uv(Vec3 n) {
     const float u = atan2f(n.z, n.x) * inv_two_pi;
     return Vec2(u < 0 ? u + 1 : u, acosf(clamp(-n.y, -1.0f, 1.0f)) * inv_pi);
 }
 
-// (u, v) with p = a + u (b - a) + v (c - a), for p in the plane of the three corners: ratios of
-// areas.
+// (u, v) with p = a + u (b - a) + v (c - a), for p in the plane of the three corners. u and v are
+// ratios of areas.
 HD Vec2 affine_coordinates(Vec3 a, Vec3 b, Vec3 c, DVec3 p) {
     const DVec3 e1 = DVec3(b) - DVec3(a), e2 = DVec3(c) - DVec3(a), n = cross(e1, e2);
     const DVec3 q = p - DVec3(a);

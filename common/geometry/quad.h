@@ -1,7 +1,7 @@
 // Ray and quad: two triangles that share the diagonal v[0] v[2].
 //
-// Rounding of the corners makes every quad a little warped; seen edge-on it may even look like a
-// bow tie. Its two halves are triangles, which are flat, and no ray passes between them.
+// Rounding of the corners makes every quad slightly warped. Seen from the side, its outline may
+// even cross itself. Its two halves are triangles, which are flat, and no ray passes between them.
 #pragma once
 
 #include "common/geometry/triangle.h"
@@ -50,7 +50,7 @@ HD bool intersect(const Quad& quad, const ShearedRay& ray, float& t) {
 //| }
 //]
 
-// The same for a ray that is known to pass well inside a parallelogram: only t is left to find.
+// The same for a ray that is known to pass well inside a parallelogram: only t is computed.
 HD bool intersect_inside(const Quad& quad, const Ray& ray, float& t) {
     return intersect(exact_plane(quad, true), ray, t);
 }

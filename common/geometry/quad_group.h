@@ -26,11 +26,11 @@ struct QuadGroup {
     float extent;     // the largest |coordinate| of their corners
     float normal[3][quads_per_group]; // unit
     float offset[quads_per_group];
-    float bend[quads_per_group]; // how far rounding and a lack of flatness put the corners off
-    float across[2][3][quads_per_group]; // per length
+    float bend[quads_per_group];         // bound on the distance of a corner from the plane
+    float across[2][3][quads_per_group]; // unit: 1 / length
     float start[2][quads_per_group];
-    float steepness[quads_per_group]; // the larger |x| + |y| + |z| of the two vectors across
-    float vague[quads_per_group];     // 0 if the parallelogram is the quad, else infinity
+    float steepness[quads_per_group]; // the larger |x| + |y| + |z| of the two vectors `across`
+    float vague[quads_per_group]; // 0 if the quad is the parallelogram, else infinity: never sure
 };
 
 // The position of the lowest bit that is set; bits != 0.
@@ -45,18 +45,19 @@ HD int lowest_bit(std::uint32_t bits) {
 // What a glance saw: a bit for each lane.
 struct QuadGlance {
     std::uint32_t maybe = 0;      // the ray may meet the quad of the lane
-    std::uint32_t sure = 0;       // it passes inside for certain: only t is left to find
+    std::uint32_t sure = 0;       // the ray certainly passes inside it: only t is left to compute
     float begin[quads_per_group]; // where it may meet the quad, a lower bound of t
 };
 
 // Where may `ray` meet the quads of the group in (0, t_max]?
 //
-// With M = max |o| + extent every |n.o|, |offset| and |t| (|normal| <= 1, |d| <= 1) is below
-// sqrt(3) M, and the computed slope s = n.d is within 3 sqrt(3) u. Hence
+// With M = max |o| + extent, |normal| <= 1 and |d| <= 1, each of |n.o|, |offset| and |t| is below
+// sqrt(3) M, and the error of the computed slope s = n.d is at most 3 sqrt(3) u. Hence
 //     |t - t_exact| <= (bend + 16 u M) / |s| + 3 u |t|,
 //     |c_i - c_exact| <= steepness (14 u M + |t - t_exact|) + 8 u
-// for the coordinates c_i = across[i].p - start[i]; the code doubles the constants. Comparisons
-// that a NaN (a ray in the plane of a quad) makes false keep the lane, and leave it unsure.
+// for the coordinates c_i = across[i].p - start[i]; the code doubles the constants. A ray in the
+// plane of a quad gives NaN. Comparisons with NaN are false, and the code is written so that the
+// lane then stays in `maybe`, and is not in `sure`.
 HD_HOT QuadGlance glance(const QuadGroup& group, const Ray& ray, float t_max) {
     constexpr float u = unit_roundoff;
     const Vec3 o = ray.o, d = ray.d;
@@ -73,7 +74,7 @@ HD_HOT QuadGlance glance(const QuadGroup& group, const Ray& ray, float t_max) {
         const auto& a = group.across;
         const float c0 = a[0][0][k] * px + a[0][1][k] * py + a[0][2][k] * pz - group.start[0][k];
         const float c1 = a[1][0][k] * px + a[1][1][k] * py + a[1][2][k] * pz - group.start[1][k];
-        // How far outside of [0, 1]^2, negative inside.
+        // How far (c0, c1) is outside of [0, 1]^2; negative inside.
         const float beyond0 = fabsf(c0 - 0.5f) - 0.5f, beyond1 = fabsf(c1 - 0.5f) - 0.5f;
         const float beyond = beyond0 > beyond1 ? beyond0 : beyond1;
         const float margin = group.steepness[k] * (28 * u * size + t_error) + 16 * u;

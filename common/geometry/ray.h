@@ -18,8 +18,8 @@ struct Ray {
 enum class Shape : int { none, sphere, quad, plane, triangle };
 
 // The closest hit so far. `index` counts within the arrays of its shape; `id` counts over the whole
-// scene in file order and breaks ties: of two hits at the same t the lower id wins, so neither the
-// order of testing nor an acceleration structure can change an image.
+// scene in file order. It breaks ties: of two hits at the same t, the hit with the lower id wins.
+// So neither the order of tests nor an acceleration structure changes an image.
 struct Hit {
     float t = infinity;
     int id = -1;

@@ -1,7 +1,7 @@
 // The shapes as they lie in device memory: flat arrays of plain structs, in world space.
 //
-// A box of a scene file becomes six quads that share their corners' bits, a transform is applied at
-// load time. What a kernel tests is one of four: sphere, quad, plane, triangle.
+// The loader makes six quads of a box in a scene file, whose shared corners have equal bits, and
+// applies transforms. So kernels test only four shapes: sphere, quad, plane, triangle.
 #pragma once
 
 #include "common/geometry/bounds.h"
@@ -15,41 +15,42 @@ struct ShapeTags {
     int light;    // index into SceneView::lights, or -1 if the shape does not emit
 };
 
-// In double. Near the surface, a large center and a large radius nearly cancel, so rounding one of
-// them to float would move the surface by ulps of the radius.
+// A sphere, in double. Near the surface, a large center and a large radius nearly cancel, so
+// rounding one of them to float would move the surface by ulps of the radius.
 struct Sphere {
     DVec3 center;
     double radius; // > 0
     ShapeTags tags;
 };
 
-// A planar convex quadrilateral v[0] v[1] v[2] v[3] in order around its edge; make_quad() fills in
-// what follows from the corners. Neighbours that share an edge share its corners' bits, which makes
-// a closed room watertight.
+// A planar convex quadrilateral v[0] v[1] v[2] v[3] in order around its edge. make_quad() computes
+// the other fields from the corners. Neighbours that share an edge have corners with equal bits
+// there, so a closed room is watertight.
 struct Quad {
     Vec3 v[4];
-    Vec3 normal; // unit, that of cross(v[1] - v[0], v[3] - v[0])
+    Vec3 normal; // unit, along cross(v[1] - v[0], v[3] - v[0])
     ShapeTags tags;
 
-    bool parallelogram; // v[2] is opposite v[0] to the last bit
+    bool parallelogram; // v[2] is exactly v[1] + v[3] - v[0]
     float area;
-    // Of a parallelogram: p - v[0] = c0 (v[1] - v[0]) + c1 (v[3] - v[0]) with ci = across[i].(p -
-    // v[0]).
+    // In a parallelogram, p - v[0] = c0 (v[1] - v[0]) + c1 (v[3] - v[0]) with
+    //   ci = across[i].(p - v[0]).
     DVec3 across[2];
-    float steepness; // the length of the longer one
-    // Of the half v[0] v[1] v[2] and the half v[0] v[2] v[3]; the same if it is a parallelogram.
-    DVec3 half_normal[2];  // across its plane, twice the half's area long
+    float steepness; // the length of the longer `across`
+    // [0]: of the half v[0] v[1] v[2]; [1]: of the half v[0] v[2] v[3]; equal in a parallelogram.
+    DVec3 half_normal[2];  // normal to the half, of length 2 area
     float conditioning[2]; // see normal_conditioning() in error.h
 };
 
-// The infinite plane { p : dot(normal, p - point) = 0 }: a ground, instead of a giant sphere.
+// The infinite plane { p : dot(normal, p - point) = 0 }: the ground of a scene, for which no giant
+// sphere is needed.
 struct Plane {
     Vec3 point;
     Vec3 normal; // unit
     ShapeTags tags;
 };
 
-// One triangle of a mesh, or a loose one. Geometric normal: cross(v[1] - v[0], v[2] - v[0]), unit.
+// A triangle, of a mesh or by itself. Geometric normal: cross(v[1] - v[0], v[2] - v[0]), unit.
 struct Triangle {
     Vec3 v[3];
     Vec3 normal;
@@ -57,20 +58,21 @@ struct Triangle {
     ShapeTags tags;
 };
 
-// Shading data at a triangle's three corners, apart from what the intersection loop reads.
+// Shading data at a triangle's three corners. Triangle itself has only what the intersection loop
+// reads.
 struct TriangleCorners {
     Vec3 normal[3];   // unit shading normals
     Vec2 uv[3];       // texture coordinates, v up
     int colours = -1; // index into SceneView::corner_colours, or -1: none
 };
 
-// What a triangle's corners multiply the reflectance by, where its mesh has vertex colours.
+// Factors on the reflectance at the corners of a triangle whose mesh has vertex colours.
 struct CornerColours {
     Vec3 factor[3]; // linear RGB, at least 0
 };
 
-// Up to 16 triangles that lie together in the array, with the box around them: labs 01 to 03 skip a
-// run whose box the ray misses; a hierarchy over them is lab 04.
+// Up to 16 triangles that lie together in the array, with the box around them. Labs 01 to 03 skip a
+// run whose box the ray misses; lab 04 has trees over triangles instead.
 struct TriangleRun {
     Bounds bounds;
     int first, count;

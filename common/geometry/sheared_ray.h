@@ -5,8 +5,8 @@
 // computed in double from floats. If even double cannot decide it, the ray counts as on both sides.
 // So a ray through an edge or a corner hits at least one of the faces around it.
 //
-// In float the far corners of a large face shift its edges by their own rounding: a ray that starts
-// a few ulps above such a face, beside an edge, could find neither it nor its neighbour.
+// In float, the rounding of a large face's far corners would shift its edges. A ray that starts a
+// few ulps above such a face, beside an edge, could miss both the face and its neighbour.
 //
 // The error of double grows with the distance of the face. Rays that pass far from a very small
 // face would hit it by this error. So an edge that cannot be decided is tested again, with an error
@@ -17,7 +17,7 @@
 
 namespace raylab {
 
-// A corner seen along the ray, which passes at (0, 0).
+// A corner in this space, in which the ray passes through (0, 0).
 struct Corner {
     double x, y;
     double width, size; // |x| + |y|, and that plus the distance along the main axis
@@ -25,7 +25,7 @@ struct Corner {
 
 struct ShearedRay {
     Ray ray;
-    int kx, ky, kz;   // a cyclic permutation of the axes; d is largest along kz
+    int kx, ky, kz;   // a cyclic permutation of the axes; |d| is largest along kz
     float ox, oy, oz; // the origin, permuted
     double sx, sy;    // d.x / d.z and d.y / d.z, permuted: both within [-1, 1]
 
@@ -34,7 +34,7 @@ struct ShearedRay {
         kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        // A selection, because an index would put the ray into a GPU's slow local memory.
+        // Comparisons, because with an index a GPU would keep the ray in its slow local memory.
         const auto along = [](const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
         ox = along(r.o, kx), oy = along(r.o, ky), oz = along(r.o, kz);
         sx = along(r.d, kx) / double(along(r.d, kz));
@@ -47,7 +47,8 @@ struct ShearedRay {
         return sheared(double(p[kx]) - ox, double(p[ky]) - oy, double(p[kz]) - oz);
     }
 
-    // The way from corner a to corner b, likewise: of their difference, and as exact as that.
+    // The *way* from corner a to corner b: their difference, sheared likewise, and as exact as that
+    // difference.
     HD Corner between(const Vec3& a, const Vec3& b) const {
         const float *p = &a.x, *q = &b.x;
         return sheared(double(q[kx]) - p[kx], double(q[ky]) - p[ky], double(q[kz]) - p[kz]);
@@ -61,36 +62,39 @@ struct ShearedRay {
     }
 };
 
-// Twice the signed area of (ray, a, b): on which side of the edge a-b the ray passes.
+// Twice the signed area of the triangle (ray, a, b). Its sign tells on which side of the edge a-b
+// the ray passes.
 HD double edge(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 
-// What rounding can make of an edge between corners no larger than this: it moves x and y by less
-// than 2^-51 size, with or without fused multiply-add, in any order of operations.
+// A bound on the rounding error of edge(), for corners of at most this width and size. Rounding
+// moves x and y by less than 2^-51 size, with or without fused multiply-add, in any order of
+// operations.
 HD double edge_error(double width, double size) { return 0x1p-49 * width * size; }
 
-// Does the ray pass the three edges of a triangle on the same side? An edge too close to call is
-// passed on both; a triangle of three such edges is seen edge-on and left to its neighbours.
-// Without branches, because which edge a ray misses is as good as random.
+// Does the ray pass the three edges of a triangle on the same side? An edge is undecided if |e| <=
+// error; the ray then counts as passing it on both sides. If all three edges are undecided, the
+// triangle is seen edge-on: the answer is no, and its neighbours are hit instead. There are no
+// branches, because a CPU cannot predict which edge a ray misses.
 HD bool encloses(double e0, double e1, double e2, double error) {
     const double least = glm::min(glm::min(e0, e1), e2), most = glm::max(glm::max(e0, e1), e2);
     return (least >= -error) != (most <= error);
 }
 
-// Is an edge of a triangle that is enclosed too close to call?
+// For a triangle that encloses() the ray: is one of its edges undecided?
 HD bool is_close(double e0, double e1, double e2, double error) {
     const double least = glm::min(glm::min(e0, e1), e2), most = glm::max(glm::max(e0, e1), e2);
     return (least <= error) & (most >= -error);
 }
 
-// The same edge by its way: a x b = a x (b - a). The way's x and y are off by less than 2^-51 times
-// its own size; so an edge of length l is passed on both sides within l 2^-49 size, not anywhere
-// within width 2^-49 size.
+// The same bound for an edge computed by its way: a x b = a x (b - a). The error of the way's x and
+// y is less than 2^-51 times its own size. So an edge of length l is undecided only within
+// l 2^-49 size, instead of width 2^-49 size.
 HD double edge_error(const Corner& a, const Corner& way) {
     return 0x1p-49 * (a.size * way.width + a.width * way.size);
 }
 
-// encloses() for a triangle by its ways: slower, and needed only if is_close(). The ray is a copy,
-// so that the loops that might call this can keep theirs in registers.
+// encloses() with the edges computed by their ways. It is slower, and needed only if is_close().
+// The ray is passed as a copy, so that the calling loops can keep their own ray in registers.
 HD_RARE bool encloses_closely(ShearedRay ray, const Vec3& v0, const Vec3& v1, const Vec3& v2) {
     const Corner a = ray(v0), b = ray(v1), c = ray(v2);
     const Corner ab = ray.between(v0, v1), bc = ray.between(v1, v2), ca = ray.between(v2, v0);

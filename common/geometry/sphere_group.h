@@ -26,12 +26,15 @@ constexpr int few_spheres = 4;
 //[ withhold 01
 // A bit for each lane whose sphere `ray` may meet in (0, t_max].
 //
-// With f from the centre to the origin the line comes nearest to the centre at t = -f.d / d.d, and
-// is then |f + t d| away. M = max |o| + extent bounds |f| on every axis, hence |f| and |t| are
-// below sqrt(3) M. With the centre's rounding f is within 2 u M on each axis; t = -f.d within 9 u
-// M, and within 20 u M with d.d, which is 1 to 6 u; f + t d within 33 u M; and rounding its length,
-// the radius and the sum leaves 39 u M. The code takes 64 (Higham, section 3.1). Comparisons that a
-// NaN makes false keep the lane, and below the normal numbers a square is off by 2^-149.
+// f is the vector from the centre to the origin. The line is nearest to the centre at t = -f.d /
+// d.d, at the distance |f + t d|. M = max |o| + extent bounds |f| on every axis, so |f| and |t| are
+// below sqrt(3) M. The bounds on the errors are (Higham, section 3.1):
+//   2 u M   on each axis of f, with the rounding of the centre,
+//   20 u M  for t = -f.d: 9 u M, and the missing division by d.d, which is 1 up to 6 u,
+//   33 u M  for f + t d,
+//   39 u M  with the rounding of its length, of the radius and of the sum.
+// The code takes 64 u M. A comparison with NaN is false, and the lane is then kept. Below the
+// normal numbers the error of a square is 2^-149; `underflow` covers it.
 HD_HOT std::uint32_t glance(const SphereGroup& group, const Ray& ray, float t_max) {
     constexpr float u = unit_roundoff, underflow = 0x1p-140f;
     const Vec3 o = ray.o, d = ray.d;

@@ -7,7 +7,8 @@
 
 namespace raylab {
 
-// Normal of length twice the area; differences of floats and their products are (nearly) exact.
+// The plane of a triangle; the length of its normal is 2 area. In double, differences of floats and
+// their products are (nearly) exact.
 HD ExactPlane plane_through(Vec3 a, Vec3 b, Vec3 c) {
     return {DVec3(a), cross(DVec3(b) - DVec3(a), DVec3(c) - DVec3(a))};
 }
@@ -17,8 +18,8 @@ HD ExactPlane exact_plane(const Triangle& triangle) {
 }
 
 //[ withhold 01
-// t in (0, ray.t_max) at which the ray meets the triangle, from either side. Edges and corners
-// belong to every triangle that has them. A triangle without area, or with a NaN in it, is never
+// t in (0, ray.t_max) at which the ray meets the triangle, from either side. An edge or corner
+// belongs to every triangle that has it. A triangle without area, or with a NaN in it, is never
 // hit.
 HD bool intersect(const Triangle& triangle, const ShearedRay& ray, float& t) {
     const Corner a = ray(triangle.v[0]), b = ray(triangle.v[1]), c = ray(triangle.v[2]);

@@ -47,7 +47,9 @@ HD float row_edge(const Environment& environment, int row) {
     return 2 * sqr(cos_sin_turn(row / (4.0f * environment.height)).y);
 }
 
-// 2 pi / width times cos(top) - cos(bottom), the difference as a product: it does not cancel.
+// 2 pi / width times (cos(top) - cos(bottom)). The difference is computed as the product
+// 2 sin(theta) sin(half), so no digits cancel: theta is the middle of the row, half is half its
+// height.
 HD float texel_solid_angle(const Environment& environment, int row) {
     const float theta = (row + 0.5f) / (2 * environment.height), half = 0.25f / environment.height;
     return two_pi / environment.width * 2 * cos_sin_turn(theta).y * cos_sin_turn(half).y;
@@ -61,7 +63,7 @@ HD float environment_map_pdf(const Environment& environment, Texel texel) {
            texel_solid_angle(environment, texel.row);
 }
 
-// The last i < n with cdf[i] <= u. u lies inside this interval, so the interval is not empty.
+// The last i < n with cdf[i] <= u. So u lies in [cdf[i], cdf[i + 1]), which is not empty.
 HD int find_interval(const float* cdf, int n, float u) {
     int low = 0, high = n; // cdf[low] <= u, and u < cdf[high] = 1
     while (high - low > 1) {

@@ -8,14 +8,14 @@ namespace raylab {
 
 // A point on a light, chosen to light a receiver at `from`. World space.
 struct LightSample {
-    Vec3 p = Vec3(0);        // the point (nothing for the environment)
-    float error = 0;         // how far along n rounding can put p off the light
-    Vec3 n = Vec3(0);        // the light's unit normal there, on the side that faces `from`
+    Vec3 p = Vec3(0);        // the point; unused for the environment
+    float error = 0;         // bound on how far along n rounding puts p off the light
+    Vec3 n = Vec3(0);        // the light's unit normal at p, on the side that faces `from`
     Vec3 wi = Vec3(0);       // unit, from the receiver to the light
     float distance = 0;      // from `from` to p; infinity for the environment
-    Vec3 radiance = Vec3(0); // arriving if nothing is in the way; point: intensity / distance^2
+    Vec3 radiance = Vec3(0); // arrives if nothing is in the way; point: intensity / distance^2
     float pdf = 0;      // density of wi per solid angle, of this light alone; 1 for a delta light
-    bool delta = false; // a point light: no ray will ever hit it
+    bool delta = false; // true for a point light, which no ray can hit
     bool valid = false; // false: this sample carries no light
 };
 
@@ -26,7 +26,8 @@ HD float solid_angle_pdf(float area_pdf, float distance2, float abs_cosine) {
     return abs_cosine > 0 ? area_pdf * distance2 / abs_cosine : 0.0f;
 }
 
-// A sample of an area light from a point with density area_pdf on it. Lights emit from both sides.
+// The sample of an area light for its point p, which was chosen with density area_pdf per area.
+// error, n: at p, as in LightSample, but n may be on either side. Lights emit from both sides.
 HD_HOT LightSample light_sample_at(Vec3 from, Vec3 p, float error, Vec3 n, float area_pdf,
                                    Vec3 radiance) {
     const Vec3 d = p - from;

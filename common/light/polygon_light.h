@@ -1,7 +1,7 @@
 // Quad and triangle lights, sampled uniformly by area. PBR4e 12.4 (area lights).
 //
-// The rest of the renderer knows two functions of a light only: its sample and its pdf. Sampling by
-// solid angle would change these two functions and nothing else.
+// The rest of the renderer calls only two functions of a light: its sample and its pdf. To sample
+// by solid angle, only these two functions would have to change.
 #pragma once
 
 #include "common/geometry/shapes.h"
@@ -13,14 +13,15 @@ namespace raylab {
 HD Vec3 lerp(Vec3 a, Vec3 b, float t) { return (1 - t) * a + t * b; }
 
 // Points of a convex quad are p(s, t), bilinear in the corners: p(0,0) = v[0], p(1,0) = v[1],
-// p(1,1) = v[2], p(0,1) = v[3]. The area of ds dt there is bilinear too, since the quad is planar:
-// its values at the corners are the parallelograms that the corners' edges span.
+// p(1,1) = v[2], p(0,1) = v[3]. The area that ds dt covers at p(s, t) is bilinear too, because the
+// quad is planar. At a corner it is the area of the parallelogram that the two edges at this corner
+// span.
 struct QuadMeasure {
     float at00, at10, at01, at11;
 };
 
-// The parallelogram's area, from its unit normal. The length of the cross product would need
-// squares, which underflow in small scenes.
+// The area of the parallelogram over e1 and e2, from its unit normal: |e1 x e2| = (e1 x e2).normal.
+// The length itself would need squares, which underflow in small scenes.
 HD float parallelogram_area(Vec3 e1, Vec3 e2, Vec3 normal) { return dot(cross(e1, e2), normal); }
 
 HD QuadMeasure measure(const Quad& quad) {
@@ -32,8 +33,8 @@ HD QuadMeasure measure(const Quad& quad) {
             parallelogram_area(top, right, quad.normal)};
 }
 
-// (s, t) with density proportional to that measure makes p(s, t) uniform: first t, from the density
-// averaged over s, then s at that t.
+// Chooses (s, t) with density proportional to that area, so p(s, t) is uniform over the quad: first
+// t, from the density averaged over s, then s for that t.
 HD_HOT Vec2 sample_quad(const Quad& quad, Vec2 u) {
     if (quad.parallelogram) return u; // the measure is constant
     const QuadMeasure m = measure(quad);

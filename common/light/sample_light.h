@@ -1,7 +1,8 @@
-// One entry to all lights: choose a point on a given light, and the density of that choice.
+// One interface for all lights: sample_light() chooses a point on a given light, and light_pdf()
+// gives the density of that choice.
 //
-// F is the set of features a kernel is compiled for (math/features.h): the kinds of light it lacks
-// are not in the kernel.
+// F is the set of features for which a kernel is compiled (math/features.h). The kernel has no code
+// for kinds of light that are not in F.
 #pragma once
 
 #include "common/light/environment.h"
@@ -24,7 +25,7 @@ HD LightSample sample_point_light(const Light& light, Vec3 from) {
             distance2 > 0};
 }
 
-// A point on scene.lights[light] to light the receiver at `from`. u in [0, 1)^2.
+// Chooses a point on scene.lights[light] that lights the receiver at `from`. u in [0, 1)^2.
 template <Features F>
 HD_HOT LightSample sample_light(const SceneView& scene, int light, Vec3 from, Vec2 u) {
     const Light& l = scene.lights[light];

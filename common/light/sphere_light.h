@@ -17,8 +17,8 @@ namespace raylab {
 // The cone that the sphere fills as seen from a point.
 struct SphereCone {
     Vec3 axis;           // unit, to the center
-    float one_minus_cos; // of the half angle, whose sine is r / d
-    bool exists;         // false: `from` is inside, or within rounding of the surface
+    float one_minus_cos; // of the half angle, whose sine is radius / distance
+    bool exists;         // false: `from` is inside, or on the surface up to rounding
 };
 
 HD SphereCone cone_around(const Sphere& sphere, Vec3 from) {
@@ -47,9 +47,10 @@ HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 fro
     }
     const Vec3 wi = Frame::around(cone.axis).to_world(sample_cone(u, cone.one_minus_cos));
 
-    // The near point in that direction, by the sphere's normal there: from the point of the line
-    // that is next to the center back by half a chord. At the rim rounding may take the line past
-    // the sphere; then it is the point next to the line.
+    // p is the nearer point at which the line in direction wi meets the sphere, and n is the normal
+    // there. `middle` is the point of the line that is nearest to the center, and p lies half a
+    // chord in front of it. At the rim, rounding may make the line miss the sphere (chord2 < 0).
+    // Then p is the point of the sphere that is nearest to the line.
     const DVec3 f = DVec3(from) - sphere.center, d(wi);
     const DVec3 middle = f - (dot(f, d) / dot(d, d)) * d;
     const double chord2 = (sphere.radius * sphere.radius - dot(middle, middle)) / dot(d, d);
@@ -59,7 +60,8 @@ HD LightSample sample_sphere_light(const Sphere& sphere, Vec3 radiance, Vec3 fro
     return {p, error, n, wi, length(p - from), radiance, pdf, false, pdf < infinity};
 }
 
-// The density of wi from `from`, which meets the sphere at p with normal n.
+// The density with which sample_sphere_light() chooses wi for `from`. The ray in this direction
+// meets the sphere at p, where the normal is n.
 HD float sphere_light_pdf(const Sphere& sphere, Vec3 from, Vec3 wi, Vec3 p, Vec3 n) {
     const SphereCone cone = cone_around(sphere, from);
     if (cone.exists) return cone_pdf(cone.one_minus_cos);

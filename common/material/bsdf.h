@@ -1,9 +1,10 @@
-// One entry to all materials: sample_bsdf() chooses a direction, evaluate_bsdf() evaluates a pair.
+// One interface for all materials: sample_bsdf() chooses a direction, and evaluate_bsdf() evaluates
+// the BSDF for a pair of directions.
 //
-// F is the set of features a kernel is compiled for (math/features.h): the kinds of material it
-// lacks are not in the kernel. Local frame: z is the outward normal, wo.z < 0 means seen from
-// inside. Opaque materials look the same from both sides. reflectance: the material's, or its
-// texture's.
+// F is the set of features for which a kernel is compiled (math/features.h). The kernel has no code
+// for kinds of material that are not in F. Directions are local: z is the outward normal, and
+// wo.z < 0 means that the surface is seen from inside. Opaque materials look the same from both
+// sides. reflectance: the material's own, or the value of its texture.
 #pragma once
 
 #include "common/material/conductor.h"
@@ -15,8 +16,8 @@
 
 namespace raylab {
 
-// Calls ask(Bsdf<K>()) for the kind K of material, or returns Result{} if F has not that kind. The
-// compiler refuses a kind without a line here, and a line without a Bsdf.
+// Calls ask(Bsdf<K>()) with K = kind, or returns Result{} if this kind is not in F. The compiler
+// refuses a kind that has no line here, and a line whose kind has no Bsdf.
 template <Features F, class Result, class Ask>
 HD_HOT Result with_bsdf(MaterialKind kind, const Ask& ask) {
     const auto ask_if_in_kernel = [&]<MaterialKind K>(Bsdf<K> bsdf) -> Result {
@@ -50,7 +51,7 @@ template <Features F = feature::all> HD bool is_clear(const Material& m) {
     return with_bsdf<F, bool>(m.kind, [](auto bsdf) { return bsdf.is_clear; });
 }
 
-// Does light leave the material in single directions only? Then light sampling is of no use.
+// Does the material scatter light into single directions only? Then light sampling is of no use.
 template <Features F> HD bool is_specular(const Material& m) {
     return with_bsdf<F, bool>(m.kind, [&](auto bsdf) { return bsdf.is_specular(m); });
 }
@@ -69,8 +70,8 @@ HD BsdfValue evaluate_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, Vec3 wi
     });
 }
 
-// A direction for light to come from. u_lobe chooses between reflection and refraction, or between
-// lobes; u the direction. All three are in [0, 1).
+// Chooses a direction wi from which light may come. u_lobe chooses between reflection and
+// refraction, or between lobes; u chooses the direction. All three numbers are in [0, 1).
 template <Features F>
 HD BsdfSample sample_bsdf(const Material& m, Vec3 reflectance, Vec3 wo, float u_lobe, Vec2 u) {
     if (wo.z == 0) return {};

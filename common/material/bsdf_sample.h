@@ -11,11 +11,10 @@ namespace raylab {
 // A direction chosen by the BSDF.
 struct BsdfSample {
     Vec3 wi = Vec3(0);
-    Vec3 weight =
-        Vec3(0);   // f(wo, wi) |cos(theta_i)| / pdf: what the path's throughput is multiplied by
-    float pdf = 0; // of wi, per solid angle; 0 for a delta lobe, whose density is no number
+    Vec3 weight = Vec3(0); // f(wo, wi) |cos(theta_i)| / pdf: a factor on the throughput
+    float pdf = 0; // of wi, per solid angle; 0 for a delta lobe, which has no finite density
     bool specular = false; // wi comes from a delta lobe: no light sample could have found it
-    bool valid = false;    // false: the path ends, it carries nothing
+    bool valid = false;    // false: the path ends, because it carries no light
 };
 
 // The BSDF for a given pair of directions; delta lobes count as 0.
@@ -24,7 +23,7 @@ struct BsdfValue {
     float pdf = 0;        // the density with which sampling chooses wi, 1/sr
 };
 
-// Each file of a material describes its kind by a specialisation with these members:
+// The file of each material specialises Bsdf for its kind, with these members:
 //
 //     static constexpr const char* name;         // in scene files
 //     static constexpr bool is_clear;            // does light pass through it?
@@ -32,7 +31,7 @@ struct BsdfValue {
 //     static BsdfValue evaluate(const Material&, Vec3 reflectance, Vec3 wo, Vec3 wi);
 //     static BsdfSample sample(const Material&, Vec3 reflectance, Vec3 wo, float u_lobe, Vec2 u);
 //
-// An opaque material is asked for directions above its surface only: wo.z, wi.z > 0.
+// The functions of an opaque material get directions above its surface only: wo.z, wi.z > 0.
 template <MaterialKind> struct Bsdf;
 
 } // namespace raylab

@@ -31,7 +31,7 @@ HD BsdfSample sample_conductor(const Material& m, Vec3 factor, Vec3 wo, Vec2 u) 
     const Vec3 normal = distribution.sample(wo, u);
     const Vec3 wi = reflect(wo, normal);
     const float cosine = dot(wo, normal);
-    if (!(cosine > 0 && wi.z > 0)) return {}; // seen from behind, or reflected into the surface
+    if (!(cosine > 0 && wi.z > 0)) return {}; // m is seen from behind, or wi is below the surface
     const float pdf = distribution.pdf(wo, normal) / (4 * cosine);
     const Vec3 reflectance = factor * conductor_reflectance(m, cosine);
     return {wi, reflectance * distribution.weight(wo, wi, normal), pdf, false, pdf > 0};

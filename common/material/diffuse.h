@@ -7,7 +7,7 @@
 namespace raylab {
 
 //[ withhold 01
-// wo, wi above the surface. Choosing wi with density cos/pi cancels f cos to the albedo.
+// wo, wi above the surface. For a wi with density cos/pi, the weight f cos / pdf is the albedo.
 HD_HOT BsdfValue evaluate_diffuse(Vec3 albedo, Vec3 wi) {
     return {albedo * (inv_pi * wi.z), cosine_hemisphere_pdf(wi.z)};
 }

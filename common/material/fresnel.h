@@ -1,8 +1,9 @@
 // How much a smooth interface reflects: Fresnel's equations for unpolarised light.
 // PBR4e 9.3.5 (the Fresnel equations for dielectrics), 9.3.6 (for conductors).
 //
-// cos_i: cosine between direction and normal, in [0, 1]. eta: index of refraction behind the
-// surface over the one in front of it; entering glass 1.5, leaving it 1/1.5.
+// cos_i: cosine between direction and normal, in [0, 1]. eta: the index of refraction behind the
+// surface divided by the index in front of it. For light that enters glass it is 1.5, for light
+// that leaves glass 1/1.5.
 #pragma once
 
 #include "common/material/material.h"
@@ -10,16 +11,16 @@
 
 namespace raylab {
 
-// (eta cos_t)^2 = eta^2 - sin_i^2, by Snell; 0 or less: total internal reflection. In double, where
-// both products are exact: near the critical angle the difference is small, and F depends on its
-// root.
+// (eta cos_t)^2 = eta^2 - sin_i^2, by Snell's law; 0 or less means total internal reflection. It is
+// computed in double, where both products are exact: near the critical angle the difference is
+// small, and F depends on its root.
 HD float refracted_cos2(float cos_i, float eta) {
     const double c = cos_i, n = eta;
     return static_cast<float>((n * n - 1) + c * c);
 }
 
 //[ withhold 01
-// 1 under total internal reflection. Error below 1e-6.
+// F, the part of the light that is reflected; 1 under total internal reflection. Error below 1e-6.
 HD float fresnel_dielectric(float cos_i, float eta) {
     cos_i = clamp(cos_i, 0, 1);
     const float cos2 = refracted_cos2(cos_i, eta);
@@ -39,14 +40,15 @@ HD float fresnel_dielectric(float cos_i, float eta) {
 //| }
 //]
 
-// r0 at normal incidence, 1 at grazing (Schlick 1994).
+// Schlick's approximation of F (1994): r0 at normal incidence, 1 at grazing incidence.
 HD float schlick(float r0, float cosine) {
     const float m = 1 - clamp(cosine, 0, 1);
     return r0 + (1 - r0) * (m * m) * (m * m) * m;
 }
 
-// An approximation, off by up to 0.21 (ior 1.1) near grazing. The angle that counts is the larger
-// one, on the thinner side; from inside that is the refracted one, and past it reflection is total.
+// Schlick's approximation for a dielectric; its error reaches 0.21 (ior 1.1) near grazing
+// incidence. It takes the larger of the two angles, which lies on the side with the smaller index.
+// For light from inside this is the refracted angle; if there is none, the reflection is total.
 HD float fresnel_dielectric_schlick(float cos_i, float eta) {
     cos_i = clamp(cos_i, 0, 1);
     const float cos2 = refracted_cos2(cos_i, eta);
@@ -54,9 +56,10 @@ HD float fresnel_dielectric_schlick(float cos_i, float eta) {
     return schlick(sqr((eta - 1) / (eta + 1)), eta < 1 ? sqrtf(cos2) / eta : cos_i);
 }
 
-// A metal's index is complex, eta + i k, relative to the medium in front. Fresnel's equations with
-// complex amplitudes, their squared moduli written out in reals: with
-//   a^2 + b^2 = |n^2 - sin^2|,  a^2 = (|n^2 - sin^2| + Re(n^2 - sin^2)) / 2,  n = eta + i k.
+// The index of a metal is complex, n = eta + i k, relative to the medium in front. So Fresnel's
+// amplitudes are complex. Their squared moduli are computed with real numbers, from a + i b, the
+// root of n^2 - sin^2:
+//   a^2 + b^2 = |n^2 - sin^2|,  a^2 = (|n^2 - sin^2| + Re(n^2 - sin^2)) / 2.
 HD float fresnel_conductor(float cos_i, float eta, float k) {
     cos_i = clamp(cos_i, 0, 1);
     const float cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
@@ -65,7 +68,7 @@ HD float fresnel_conductor(float cos_i, float eta, float k) {
     const float re = static_cast<float>((n * n - 1) - absorption * absorption + c * c);
     const float im = 2 * eta * k;
     const float modulus = sqrtf(re * re + im * im);
-    // a = Re sqrt(re + i im). For re < 0 the sum cancels; a b = im / 2 gives a without.
+    // a = Re sqrt(re + i im). For re < 0 the sum in a^2 cancels; then a follows from a b = im / 2.
     const float larger = sqrtf((modulus + fabsf(re)) / 2);
     const float a = re >= 0 ? larger : im / (2 * larger);
 
@@ -76,7 +79,7 @@ HD float fresnel_conductor(float cos_i, float eta, float k) {
     return (perpendicular + parallel) / 2;
 }
 
-// What a material reflects at cos_i, by the Fresnel model it asks for.
+// The part of the light that a material reflects at cos_i, by the material's Fresnel model.
 HD float dielectric_reflectance(const Material& m, float cos_i, float eta) {
     return m.fresnel == FresnelModel::exact ? fresnel_dielectric(cos_i, eta)
                                             : fresnel_dielectric_schlick(cos_i, eta);

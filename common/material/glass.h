@@ -12,10 +12,11 @@
 
 namespace raylab {
 
-// Both ways on from a smooth interface. wo: local; z > 0 is outside, the ior inside is m.ior.
+// The two directions in which a path goes on from a smooth interface. wo: local; z > 0 is outside.
+// m.ior: the index inside, relative to outside.
 struct FresnelSplit {
     Vec3 reflected, refracted; // local, unit
-    float reflectance; // part of the light that is reflected; 1: `refracted` is not to be used
+    float reflectance; // part of the light that is reflected; if 1, `refracted` has no meaning
 };
 
 HD FresnelSplit fresnel_split(const Material& m, Vec3 wo) {
@@ -26,7 +27,8 @@ HD FresnelSplit fresnel_split(const Material& m, Vec3 wo) {
 }
 
 //[ withhold 01
-// Reflects with probability F, refracts with 1 - F: F and 1 - F cancel out of the weight.
+// Reflects with probability F and refracts with probability 1 - F. So F and 1 - F cancel out of the
+// weight, and the tint is left.
 HD BsdfSample sample_glass(const Material& m, Vec3 tint, Vec3 wo, float u_lobe) {
     const FresnelSplit split = fresnel_split(m, wo);
     const bool reflects = u_lobe < split.reflectance;

@@ -34,7 +34,8 @@ constexpr Features any_material = ((1u << material_kinds) - 1) * first_material;
 enum class Microfacets : int { ggx, beckmann };
 enum class FresnelModel : int { exact, schlick };
 
-// Colours are linear RGB. Fields a kind does not name are unused by it.
+// Colours are linear RGB. A field whose comment names kinds of material is used by these kinds
+// only.
 struct Material {
     MaterialKind kind = MaterialKind::diffuse;
     // diffuse: albedo; mirror: reflectance; phong: albedo of the diffuse part;
@@ -45,13 +46,13 @@ struct Material {
     Vec3 eta = Vec3(1), k = Vec3(0); // conductor: complex index of refraction eta + i k
     float ior = 1.5f;                // glass, rough_dielectric: inside over outside
     float exponent = 1;              // phong
-    float alpha = 0.1f;              // microfacet roughness (not its root)
+    float alpha = 0.1f;              // conductor, rough_dielectric: roughness, not its square root
     int texture = -1;                // index of the texture that replaces reflectance, or -1
     Microfacets microfacets = Microfacets::ggx;
-    FresnelModel fresnel = FresnelModel::exact; // schlick: the labelled approximation
+    FresnelModel fresnel = FresnelModel::exact; // schlick: the approximation
 
-    // Below this roughness the lobe is narrower than float can resolve, and no picture shows the
-    // difference: the surface is treated as smooth (accuracy: GGX-SMOOTH).
+    // Below this roughness the lobe is narrower than float can resolve. The surface is then treated
+    // as smooth, and no picture shows the difference (accuracy: GGX-SMOOTH).
     HD bool is_smooth() const { return alpha < 1e-3f; }
 };
 

@@ -1,5 +1,5 @@
-// Microfacets: a rough surface as a field of tiny mirrors whose normals scatter around the
-// surface's. Torrance and Sparrow 1967; Walter et al., Microfacet Models for Refraction through
+// Microfacets: a rough surface is a field of tiny mirrors, whose normals vary around the normal of
+// the surface. Torrance and Sparrow 1967; Walter et al., Microfacet Models for Refraction through
 // Rough Surfaces, EGSR 2007 (distributions, masking); PBR4e 9.6.
 #pragma once
 
@@ -8,11 +8,12 @@
 
 namespace raylab {
 
-// A distribution of normals m (unit, m.z > 0) and the masking it causes. alpha: the slope, tan of
-// the angle, at which the normals thin out. Directions are local, z the surface's normal.
+// A distribution of normals m (unit, m.z > 0) and the masking that it causes. alpha: the roughness,
+// a slope (tan of the angle from z) beyond which normals become rare. Directions are local; z is
+// the normal of the surface.
 //
-// Everything is written in x and y, not in 1 - z^2: near m = z that difference has no digits left
-// (11 % error at alpha = 1e-3), while x and y keep all theirs.
+// The formulas use x^2 + y^2 instead of 1 - z^2. Near m = z that difference has lost its digits
+// (11 % error at alpha = 1e-3), but x and y have all of theirs.
 struct MicrofacetDistribution {
     Microfacets kind;
     float alpha;
@@ -27,8 +28,8 @@ struct MicrofacetDistribution {
         return expf(-r2 / (z2 * a2)) * inv_pi / (a2 * z2 * z2);
     }
 
-    // Smith's masking: the part of the microfacets facing w that w sees, 1 at normal incidence, 0
-    // at grazing. Both sides of the surface are masked alike.
+    // Smith's masking: the part of the microfacets facing w that is visible from w. It is 1 at
+    // normal incidence, 0 at grazing incidence, and the same on both sides of the surface.
     //   GGX:      2 / (1 + sqrt(1 + alpha^2 tan^2))
     //   Beckmann: 2 / (1 + erf(a) + exp(-a^2) / (a sqrt(pi))),  a = 1 / (alpha tan)
     HD float G1(Vec3 w) const {
@@ -41,19 +42,20 @@ struct MicrofacetDistribution {
         return 2 * a / (a * (1 + erff(a)) + expf(-a * a) * inv_sqrt_pi);
     }
 
-    // Chooses a normal for light seen from wo (wo.z > 0); its density is pdf(wo, m).
+    // Chooses a microfacet normal m for wo (wo.z > 0), with density pdf(wo, m).
     HD Vec3 sample(Vec3 wo, Vec2 u) const {
         return kind == Microfacets::ggx ? sample_visible_ggx(wo, u) : sample_beckmann(u);
     }
 
-    // GGX: the normals that wo sees, D(m) G1(wo) (wo.m) / wo.z. Beckmann: all, D(m) m.z.
+    // The density of m. GGX: over the normals visible from wo, D(m) G1(wo) (wo.m) / wo.z. Beckmann:
+    // over all normals, D(m) m.z.
     HD float pdf(Vec3 wo, Vec3 m) const {
         if (kind == Microfacets::beckmann) return D(m) * m.z;
         return D(m) * dot(wo, m) * 2 / (wo.z + stretched_length(wo)); // G1(wo) / wo.z without 0/0
     }
 
-    // What a sampled normal is worth, for F = 1: D G (wo.m) / (wo.z pdf), with D cancelled and
-    // G = G1(wo) G1(wi) (Walter et al., eq. 23). For GGX just G1(wi): never above 1.
+    // The weight of a sampled normal, for F = 1: D G (wo.m) / (wo.z pdf), where D cancels and
+    // G = G1(wo) G1(wi) (Walter et al., eq. 23). For GGX only G1(wi) is left, at most 1.
     HD float weight(Vec3 wo, Vec3 wi, Vec3 m) const {
         if (kind == Microfacets::ggx) return G1(wi);
         return G1(wo) * G1(wi) * dot(wo, m) / (wo.z * m.z);
@@ -65,20 +67,21 @@ struct MicrofacetDistribution {
         return sqrtf(w.z * w.z + alpha * alpha * (w.x * w.x + w.y * w.y));
     }
 
-    // Stretched by alpha the surface is a hemisphere, and the mirrored directions of light from wo
-    // off it fill, uniformly, the cap of directions with z > -wo.z; the normal is half way between
-    // (Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
+    // After the stretch by alpha the surface is a hemisphere, and wo becomes w. The hemisphere
+    // mirrors w into directions that fill the cap z > -w.z uniformly. So a direction is chosen in
+    // the cap; the normal is half way between it and w (Dupuy and Benyoub, Sampling Visible GGX
+    // Normals with Spherical Caps, 2023).
     HD Vec3 sample_visible_ggx(Vec3 wo, Vec2 u) const {
         const Vec3 w = normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
-        const float below_top = u.y * (1 + w.z); // 1 - z of the cap's point
+        const float below_top = u.y * (1 + w.z); // 1 - z of the direction in the cap
         const float r = safe_sqrt(below_top * (2 - below_top));
         const Vec2 c = r * cos_sin_turn(u.x);
-        // Half way: cap's point + w. Its z, (1 - u)(1 + w.z), is positive for every u < 1.
+        // Half way: the direction in the cap + w. Its z, (1 - u.y)(1 + w.z), is positive.
         const Vec3 h(c.x + w.x, c.y + w.y, (1 - u.y) * (1 + w.z));
         return normalize(Vec3(alpha * h.x, alpha * h.y, h.z));
     }
 
-    // tan^2 = -alpha^2 log(1 - u).
+    // Inverts the distribution of D(m) m.z: tan^2 = -alpha^2 log(1 - u.x).
     HD Vec3 sample_beckmann(Vec2 u) const {
         const float tan2 = -alpha * alpha * log1pf(-u.x);
         const float z = 1 / sqrtf(1 + tan2);

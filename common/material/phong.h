@@ -2,8 +2,9 @@
 // Modified Phong Reflectance Model for Physically Based Rendering, 1994.
 //
 //   f = albedo / pi + specular (n + 2) / (2 pi) cos^n(alpha),
-// alpha the angle between wi and the mirrored wo. The factor makes the lobe's albedo `specular` at
-// normal incidence, and less elsewhere, where the surface cuts a part of the lobe off.
+// where alpha is the angle between wi and the mirrored wo. With the factor (n + 2) / (2 pi) the
+// lobe's albedo is `specular` at normal incidence. At other angles it is less, because a part of
+// the lobe lies below the surface.
 #pragma once
 
 #include "common/material/diffuse.h"
@@ -13,13 +14,14 @@
 namespace raylab {
 
 // cos^n of the angle between two unit vectors, 0 beyond a right angle. 1 - cos = |a - b|^2 / 2
-// keeps the digits of a small angle, which dot(a, b) ~ 1 has lost and a large n would magnify.
+// keeps the digits of a small angle. dot(a, b), near 1, has lost them, and a large n magnifies the
+// error.
 HD float cosine_power(Vec3 a, Vec3 b, float n) {
     const float one_minus_cos = length_squared(a - b) / 2;
     return one_minus_cos < 1 ? expf(n * log1pf(-one_minus_cos)) : 0.0f;
 }
 
-// The part of the samples that goes to the lobe: its share of the light.
+// The share of the samples that are drawn from the lobe: its share of the reflected light.
 HD float phong_lobe_share(const Material& m, Vec3 albedo) {
     const float lobe = luminance(m.specular), diffuse = luminance(albedo);
     return lobe > 0 ? lobe / (lobe + diffuse) : 0.0f;
@@ -36,8 +38,8 @@ HD BsdfValue evaluate_phong(const Material& m, Vec3 albedo, Vec3 wo, Vec3 wi) {
 }
 
 // The lobe is sampled around the mirrored direction with density (n + 1) / (2 pi) cos^n(alpha),
-// that is cos(alpha) = u^(1 / (n + 1)), whatever the surface cuts off. The weight is f cos over the
-// density of both lobes together, so it does not matter which of them drew wi.
+// that is cos(alpha) = u^(1 / (n + 1)). Directions below the surface are dropped. The weight is f
+// cos divided by the density of both lobes together, so it does not matter which lobe drew wi.
 HD BsdfSample sample_phong(const Material& m, Vec3 albedo, Vec3 wo, float u_lobe, Vec2 u) {
     Vec3 wi;
     if (u_lobe < phong_lobe_share(m, albedo)) {

@@ -13,16 +13,16 @@ namespace raylab {
 HD Vec3 reflect(Vec3 wo, Vec3 n) { return 2 * dot(wo, n) * n - wo; }
 
 struct Refraction {
-    Vec3 wi;    // into the other side of the surface; never NaN
+    Vec3 wi;    // points to the other side of the surface; never NaN
     bool total; // total internal reflection: no light is refracted, wi has no meaning
 };
 
 //[ withhold 01
-// Requires dot(wo, n) >= 0. eta: index of refraction on the far side over that on wo's.
+// Requires dot(wo, n) >= 0. eta: index of refraction on the far side divided by that on wo's side.
 //
-// Snell's law shrinks the part of wo along the surface by eta; the part along n makes up the unit
-// length. Taking it from that length, and not from dot(wo, n), keeps a thousand refractions in a
-// row unit without normalising any.
+// By Snell's law, the part of wi along the surface, t, is that of -wo divided by eta. The part
+// along n follows from the unit length of wi. It is computed from |t| and not from dot(wo, n): so
+// wi stays unit over a thousand refractions in a row, and is never normalised.
 HD Refraction refract(Vec3 wo, Vec3 n, float eta) {
     const Vec3 t = -(wo - dot(wo, n) * n) / eta;
     const float sin2_t = dot(t, t);

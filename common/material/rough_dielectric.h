@@ -1,8 +1,9 @@
 // Rough glass: microfacets that reflect and refract. Walter et al., Microfacet Models for
 // Refraction through Rough Surfaces, EGSR 2007; PBR4e 9.7.
 //
-// Carries basic radiance, as smooth glass does (glass.h). A normal m is chosen, then m reflects
-// with probability F(wo.m) or refracts; F and 1 - F cancel out of the weight.
+// Paths carry basic radiance, as with smooth glass (glass.h). Sampling chooses a normal m. It then
+// reflects at m with probability F(wo.m), or else refracts, so F and 1 - F cancel out of the
+// weight.
 #pragma once
 
 #include "common/material/glass.h"
@@ -22,15 +23,15 @@ HD float refraction_jacobian(Vec3 wo, Vec3 wi, Vec3 m, float eta) {
 HD BsdfValue evaluate_rough_dielectric(const Material& m, Vec3 tint, Vec3 wo, Vec3 wi) {
     if (is_smooth_dielectric(m) || wo.z == 0 || wi.z == 0) return {};
     const float eta = wo.z > 0 ? m.ior : 1 / m.ior;
-    if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z; // the view from inside, turned over
+    if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z; // seen from inside: turn z over
 
-    // The normal that takes wo to wi: half way between for reflection, weighted by the indices for
-    // refraction; it points to the outside of wo's side.
+    // The microfacet normal that takes wo to wi: along wo + wi for reflection, along wo + eta wi
+    // for refraction. It is turned to wo's side of the surface, z > 0.
     const bool reflects = wi.z > 0;
     Vec3 normal = normalize(reflects ? wo + wi : wo + eta * wi);
     if (normal.z < 0) normal = -normal;
     const float cosine = dot(wo, normal), cosine_i = dot(wi, normal);
-    if (!(cosine > 0 && (cosine_i > 0) == reflects)) return {}; // seen from behind
+    if (!(cosine > 0 && (cosine_i > 0) == reflects)) return {}; // m is seen from behind
 
     const MicrofacetDistribution distribution{m.microfacets, m.alpha};
     const float F = dielectric_reflectance(m, cosine, eta);
@@ -54,7 +55,7 @@ HD BsdfSample sample_rough_dielectric(const Material& m, Vec3 tint, Vec3 wo, flo
     const float F = through.total ? 1.0f : dielectric_reflectance(m, cosine, eta);
     const bool reflects = u_lobe < F;
     Vec3 wi = reflects ? reflect(wo, normal) : through.wi;
-    if (!(reflects ? wi.z > 0 : wi.z < 0)) return {}; // onto the wrong side of the surface
+    if (!(reflects ? wi.z > 0 : wi.z < 0)) return {}; // wi is on the wrong side of the surface
 
     const float pdf =
         distribution.pdf(wo, normal) *

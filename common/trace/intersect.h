@@ -13,8 +13,8 @@
 
 namespace raylab {
 
-// Calls visit(shape, index, id, t) for every sphere of the group that the ray meets, as
-// for_each_hit() does. Returns false if visit returned false.
+// Calls visit(shape, index, id, t) for every sphere of the group that the ray meets, until visit
+// returns false. Returns false in that case. reach(): the largest t that is still of interest.
 template <class Visit, class Reach>
 HD_HOT bool for_each_hit_in(const SphereGroup& group, const Array<Sphere>& spheres, const Ray& ray,
                             const Visit& visit, const Reach& reach) {
@@ -37,7 +37,7 @@ HD_HOT bool for_each_hit_in(const QuadGroup& group, const Array<Quad>& quads, co
     const QuadGlance seen = glance(group, ray, reach());
     for (std::uint32_t left = seen.maybe; left != 0; left &= left - 1) {
         const int lane = lowest_bit(left), i = group.first + lane;
-        if (seen.begin[lane] > reach()) continue; // NaN: tested
+        if (seen.begin[lane] > reach()) continue; // false for NaN: such a quad is tested
         const Quad& quad = quads[i];
         const bool met = seen.sure >> lane & 1 ? intersect_inside(quad, ray, t)
                                                : intersect(quad, ShearedRay(ray), t);
@@ -47,7 +47,7 @@ HD_HOT bool for_each_hit_in(const QuadGroup& group, const Array<Quad>& quads, co
 }
 
 // Calls visit(shape, index, id, t) for every shape the ray meets in (0, ray.t_max), until visit
-// returns false. Runs of triangles whose box begins beyond reach() are skipped.
+// returns false. Shapes that the ray meets only beyond reach() may be skipped.
 template <Features F, class Visit, class Reach>
 HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
                      const Reach& reach) {
@@ -96,7 +96,7 @@ template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray) {
     return hit;
 }
 
-// Is anything in (0, ray.t_max)?
+// Does the ray meet any shape in (0, ray.t_max)?
 template <Features F> HD bool occluded(const SceneView& scene, const Ray& ray) {
     bool found = false;
     for_each_hit<F>(

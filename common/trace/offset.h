@@ -1,6 +1,6 @@
-// Rays that leave a surface. Their origin is moved off the surface by as much as rounding can have
-// misplaced it, and no further.
-// PBR4e 6.8 (Managing Rounding Error), with the point put back on its surface in double first.
+// Rays that leave a surface. Their origin is moved off the surface, just far enough for every
+// rounding error of the point. PBR4e 6.8 (Managing Rounding Error); here the point is first
+// projected onto its surface in double.
 //
 // Every bound is relative to the coordinates of the point. No bound is a length in world units.
 #pragma once
@@ -20,11 +20,11 @@ HD_HOT Ray spawn_ray(const SurfacePoint& surface, Vec3 wi) {
     return {offset_point(surface.p, surface.ng, surface.error, wi), wi};
 }
 
-// The shadow ray from a surface to a point, free of the surfaces at both ends: occluded()
-// answers whether anything lies between. target_error: how far along
-// target_normal rounding can put the target off the surface it lies on; 0 for a point in space.
-// target_normal: unit, on the side on which the shadow ray arrives. The caller says which side that
-// is: at the rim of a small sphere the rounding of o would decide it wrongly.
+// The shadow ray from a surface to the point `target`. Both its ends are moved off their surfaces,
+// so occluded() finds only shapes between them. target_error: the largest distance along
+// target_normal by which rounding puts the target off its surface; 0 for a point in space.
+// target_normal: unit, on the side on which the shadow ray arrives. The caller gives this side,
+// because at the rim of a small sphere the rounding of o would decide it wrongly.
 HD_HOT Ray spawn_ray_to(const SurfacePoint& surface, Vec3 target, float target_error,
                         Vec3 target_normal) {
     const Vec3 o = offset_point(surface.p, surface.ng, surface.error, target - surface.p);

@@ -1,4 +1,4 @@
-// The surface at a hit: where it is, which way it faces, what it is made of.
+// The surface at a hit: its position, its normals, and its material.
 //
 // A point computed as o + t d has an error of a few ulps of the ray's whole length. So the point is
 // projected onto its shape in double and rounded once. Its error is then half an ulp of each
@@ -16,19 +16,19 @@
 namespace raylab {
 
 struct SurfacePoint {
-    Vec3 p;        // world position
-    float error;   // how far rounding can put p, or an origin beside it, off the shape along ng
-    Vec3 ng;       // unit geometric normal: outward from a sphere, else as the shape's own
-    Frame shading; // z: unit shading normal, on ng's side and seen by wo from the side that ng is
-    Vec2 uv;       // texture coordinates, v up; (0, 0) where the shape has none or F no texture
-    Vec3 colour = Vec3(1); // the mesh's vertex colours, a factor on the reflectance
+    Vec3 p;      // world position
+    float error; // bound on how far rounding puts p, or an origin beside it, off the shape along ng
+    Vec3 ng;     // unit geometric normal: outward on a sphere, else the shape's `normal`
+    Frame shading; // z: unit shading normal n; n.ng > 0, and n.wo has the sign of ng.wo
+    Vec2 uv;       // texture coordinates, v up; (0, 0) if the shape has none or F lacks them
+    Vec3 colour = Vec3(1); // from the mesh's vertex colours: a factor on the reflectance
     int material;          // index into SceneView::materials
     int light;             // index into SceneView::lights, or -1
 };
 
-// p: the hit, with an error of a few ulps of the ray's length. The result is at the point of the
-// shape that is nearest to p.
-// wo: unit, to where the ray came from.
+// p: the hit point o + t d, with an error of a few ulps of the ray's length. The result lies at the
+// point of the shape that is nearest to p; near an edge it is moved inside (edges.h). wo: unit,
+// towards the origin of the ray.
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Sphere& sphere, DVec3 p, Vec3) {
     const DVec3 n = glm::normalize(p - sphere.center);
@@ -61,7 +61,8 @@ HD_HOT SurfacePoint surface_on(const SceneView&, const Quad& quad, DVec3 p, Vec3
     return s;
 }
 
-// A plane has no texture coordinates, because it has no size in which uv could be measured.
+// A plane has no texture coordinates, because it has no edges between which u and v could run from
+// 0 to 1.
 template <Features F>
 HD_HOT SurfacePoint surface_on(const SceneView&, const Plane& plane, DVec3 p, Vec3) {
     SurfacePoint s{};

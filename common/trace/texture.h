@@ -1,4 +1,4 @@
-// The colour of a surface at a point. It is constant, or looked up in an image.
+// The colour of a surface at a point: a constant, or a value from an image.
 #pragma once
 
 #include "common/math/index.h"
@@ -6,8 +6,9 @@
 
 namespace raylab {
 
-// The coordinate in [0, 1] at which the image has the colour for u. Floats beyond 2^24 are whole
-// numbers, so they fall on 0; so do a NaN and a u whose computation overflows.
+// Maps any u to the coordinate in [0, 1] at which the image is read. With repeat and mirror, floats
+// beyond 2^24 give 0, because they are even numbers; an infinite u gives 0, too, because inf - inf
+// is NaN. A NaN always gives 0.
 HD float wrapped(Wrap wrap, float u) {
     if (wrap == Wrap::repeat) return clamp(u - floorf(u), 0, 1);
     if (wrap == Wrap::clamp) return clamp(u, 0, 1);
@@ -15,8 +16,8 @@ HD float wrapped(Wrap wrap, float u) {
     return there_and_back <= 1 ? there_and_back : 2 - there_and_back;
 }
 
-// The texel for index i. i is in [-1, size], so one step back into the image is enough. A mirrored
-// image repeats the texel at its edge.
+// The texel for index i. i is in [-1, size], so at most one step leads back into the image. A
+// mirrored image repeats the texel at its edge.
 HD int wrapped(Wrap wrap, int i, int size) {
     if (wrap == Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
     return i < 0 ? 0 : i >= size ? size - 1 : i;
@@ -40,7 +41,8 @@ HD Vec3 lookup(const SceneView& scene, const Texture& texture, Vec2 uv) {
     return (1 - fy) * low + fy * high;
 }
 
-// Material::reflectance, or its texture's value there, times the vertex colours.
+// The reflectance at a surface point: the value of the material's texture, or else
+// Material::reflectance, times the vertex colour.
 template <Features F>
 HD Vec3 reflectance_at(const SceneView& scene, const Material& material,
                        const SurfacePoint& surface) {
