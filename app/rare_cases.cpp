@@ -40,7 +40,8 @@ std::vector<RareCase> rare_cases() {
         {"small pool",
          "cornell",
          {.pool = 256},
-         "one batch holds the pool, full or nearly empty: fewer blocks are not fewer batches"},
+         "one batch of blocks holds the pool, full or nearly empty: fewer blocks are not fewer "
+         "batches"},
         {"pool always full",
          "cornell",
          {.pool = 16384, .regenerate = true},

@@ -100,7 +100,7 @@ class Combinations : public testing::TestWithParam<const char*> {};
 TEST_P(Combinations, OfAllChoicesHaveTheBitsOfTheIterativeLab) {
     const std::vector<Combination> chosen =
         std::getenv("RAYLAB_LONG") ? all_combinations() : pairwise_combinations();
-    // More pixels than the larger pool; but with a pool of one path every pixel is a batch.
+    // More pixels than the larger pool; but with a pool of one path every pixel is a fill.
     const Scene usual = small(GetParam(), 80, 7), tiny = small(GetParam(), 9, 7);
     ASSERT_GT(usual.camera.width * usual.camera.height, 4096);
     const Traced usual_truth = trace("02", usual, {}, 1), tiny_truth = trace("02", tiny, {}, 1);

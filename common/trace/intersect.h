@@ -82,10 +82,10 @@ HD void for_each_hit(const SceneView& scene, const Ray& ray, const Visit& visit,
     }
 }
 
-// The closest hit in (0, ray.t_max). Of two hits at the same t, the one with the lower id counts.
+// The closest hit in (0, ray.t_max), or `hit` if nothing is closer. Of two hits at the same t, the
+// one with the lower id counts, so it does not matter which shapes were tested first.
 // F: the features of the scene. The kernel has no code for shapes that are not in F.
-template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray) {
-    Hit hit;
+template <Features F> HD Hit intersect(const SceneView& scene, const Ray& ray, Hit hit = {}) {
     for_each_hit<F>(
         scene, ray,
         [&](Shape shape, int index, int id, float t) {

@@ -1,7 +1,7 @@
-// Accumulation: once the last path of the batch has ended, the radiance of each path is added to
+// Accumulation: once the last path in the pool has ended, the radiance of each path is added to
 // the film.
 //
-// The kernel runs over all paths of the batch, because paths that ended early bring light too. Each
+// The kernel runs over all paths in the pool, because paths that ended early bring light too. Each
 // path is added once, by the one thread that owns its pixel.
 #pragma once
 

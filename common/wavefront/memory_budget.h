@@ -1,7 +1,7 @@
 // How large a pool the memory allows.
 //
 // "Single biggest constraint is memory". Scene and film have fixed sizes; the pool takes what is
-// left, because a smaller pool draws the same image in more batches. A pool below one warp is
+// left, because a smaller pool draws the same image in more fills. A pool below one warp is
 // refused.
 #pragma once
 

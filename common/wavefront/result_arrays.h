@@ -2,6 +2,7 @@
 // ledger.
 #pragma once
 
+#include "common/camera/camera.h"
 #include "common/device/device_array.h"
 #include "common/wavefront/results.h"
 
@@ -26,9 +27,11 @@ class ResultArrays {
     // The host's part of a bounce's account: lanes, blocks and batches.
     BounceCounts& of_bounce(int bounce) { return launched_[std::min(bounce, bounces() - 1)]; }
 
-    // The film from first_pixel on, as many pixels as `pixels` has.
-    void read_film(std::size_t first_pixel, std::vector<FilmPixel>& pixels) const {
-        film_.to_host(first_pixel, pixels);
+    // As Renderer::film().
+    Film film(const Camera& camera, int first_row, int rows) const {
+        Film strip(camera.width, std::min(rows, camera.height - first_row));
+        film_.to_host(std::size_t{1} * first_row * strip.width, strip.pixels);
+        return strip;
     }
     std::vector<PathRecord> records() const { return records_.to_host(); }
 

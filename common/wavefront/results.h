@@ -14,7 +14,7 @@ struct EndTally {
     unsigned long long ended[path_ends];
 };
 
-// What a batch leaves behind.
+// What the paths of a fill leave behind.
 struct Results {
     FilmPixel* film;                 // a pixel each
     PathRecord* records;             // a pixel each; null unless somebody asked for them

@@ -1,6 +1,6 @@
-// Stage 7: once the last path of the batch has ended, each path's radiance is added to the film.
+// Stage 7: once the last path in the pool has ended, each path's radiance is added to the film.
 //
-// The kernel runs over all paths of the batch, because paths that ended early bring light too. Each
+// The kernel runs over all paths in the pool, because paths that ended early bring light too. Each
 // path is added once, by the one thread that owns its pixel.
 #pragma once
 

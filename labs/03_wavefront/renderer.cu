@@ -1,7 +1,7 @@
 // Lab 03: a pool of rays, one launch a stage and bounce.
 //
 // "Parallelize by rays, not pixels! Instead of a single kernel launch that traces an entire ray
-// path, do multiple kernel launches that trace individual bounces." trace_batch() is that slide.
+// path, do multiple kernel launches that trace individual bounces." trace_fill() is that slide.
 #include "labs/03_wavefront/renderer.h"
 
 #include "labs/03_wavefront/memory_budget.h"
@@ -37,7 +37,7 @@ class WavefrontRenderer final : public Renderer {
             trace_all();
         else
             for (int first = 0; first < pixels_; first += pool_paths_)
-                trace_batch(first, std::min(pool_paths_, pixels_ - first));
+                trace_fill(first, std::min(pool_paths_, pixels_ - first));
         check(cudaDeviceSynchronize(), "cudaDeviceSynchronize");
         ++samples_;
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -51,9 +51,7 @@ class WavefrontRenderer final : public Renderer {
     }
 
     Film film(int first_row, int rows) const override {
-        Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
-        wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
-        return strip;
+        return wavefront_.results().film(scene_.camera, first_row, rows);
     }
 
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
@@ -72,7 +70,7 @@ class WavefrontRenderer final : public Renderer {
 
   private:
     // The lecture's five steps, for the pixels first ... first + n - 1.
-    void trace_batch(int first, int n) {
+    void trace_fill(int first, int n) {
         wavefront_.generate(first,
                             n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
         for (int bounce = 0; wavefront_.alive() > 0 && bounce < wavefront_.most_bounces();

@@ -1,4 +1,4 @@
-// A permutation without a table: which pixel of a batch a slot gets.
+// A permutation without a table: which pixel of a fill a slot gets.
 //
 // A random order of the pixels makes reads of memory slower and leaves the image as it is: no
 // result may depend on the slot of a path, and `--shuffle` shows that none does. Kensler,

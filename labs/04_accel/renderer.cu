@@ -1,6 +1,6 @@
 // Lab 04: the wavefront of lab 03, whose rays no longer test every triangle.
 //
-// trace_batch() is lab 03's loop with one stage more: rays walk through a structure over the
+// trace_fill() is lab 03's loop with one stage more: rays walk through a structure over the
 // triangles, and through another over spheres and quads where there are many, before they meet the
 // other shapes, and so do shadow rays.
 #include "labs/04_accel/renderer.h"
@@ -27,7 +27,7 @@ class AccelRenderer final : public Renderer {
         configure_machine(machine_);
         wavefront_.begin_sample(samples_);
         for (int first = 0; first < pixels_; first += pool_paths_)
-            trace_batch(first, std::min(pool_paths_, pixels_ - first));
+            trace_fill(first, std::min(pool_paths_, pixels_ - first));
         const EndlessRay endless = wavefront_.endless_ray(); // waits for the device
         if (endless.found)
             throw endless_walk(endless, scene_.camera.width, samples_, wavefront_.accel().facts());
@@ -42,9 +42,7 @@ class AccelRenderer final : public Renderer {
     }
 
     Film film(int first_row, int rows) const override {
-        Film strip(scene_.camera.width, std::min(rows, scene_.camera.height - first_row));
-        wavefront_.results().read_film(std::size_t{1} * first_row * strip.width, strip.pixels);
-        return strip;
+        return wavefront_.results().film(scene_.camera, first_row, rows);
     }
 
     std::vector<PathRecord> records() const override { return wavefront_.results().records(); }
@@ -66,7 +64,7 @@ class AccelRenderer final : public Renderer {
 
   private:
     // The lecture's five steps, for the pixels first ... first + n - 1.
-    void trace_batch(int first, int n) {
+    void trace_fill(int first, int n) {
         wavefront_.generate(first,
                             n); // 1. A pool of rays to be tested. 2. Colours, unaccumulated yet.
         for (int bounce = 0; wavefront_.alive() > 0 && bounce < wavefront_.most_bounces();

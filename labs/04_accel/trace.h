@@ -14,26 +14,14 @@ namespace raylab::lab04 {
 
 constexpr Features without_triangles(Features features) { return features & ~feature::triangle; }
 
-// The closest of `hit` and the other shapes; of two at the same t that with the lowest id, so it
-// does not matter which was tested first.
-template <Features F> HD Hit closer_hit(const SceneView& scene, const Ray& ray, Hit hit) {
-    for_each_hit<without_triangles(F)>(
-        scene, ray,
-        [&](Shape shape, int index, int id, float t) {
-            if (hit.is_beaten_by(t, id)) hit = {t, id, shape, index};
-            return true;
-        },
-        [&] { return glm::min(hit.t, ray.t_max); });
-    return hit;
-}
-
 // Settles what the slot's ray meets. A ray that leaves takes the sky's light along and ends its
 // path, or its branch of the tree.
 template <Features F, Integrator I> HD void intersect_path(const WavefrontView& wave, int slot) {
     const PoolView& pool = wave.pool;
     const Ray ray = ray_of(pool, slot);
     const bool walked = wave.scene.triangles.size > 0 || wave.shapes.boxes.nodes.size > 0;
-    const Hit hit = closer_hit<F>(wave.scene, ray, walked ? pool.hit[slot] : Hit{});
+    const Hit hit =
+        intersect<without_triangles(F)>(wave.scene, ray, walked ? pool.hit[slot] : Hit{});
     record_hit(pool.record[slot], hit.id);
     pool.hit[slot] = hit;
     constexpr bool whitted = I == Integrator::whitted;

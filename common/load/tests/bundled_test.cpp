@@ -2,6 +2,9 @@
 #include "common/load/tests/scene_files.h"
 #include "common/scene/scene_features.h"
 
+#include <fstream>
+#include <sstream>
+
 namespace raylab {
 namespace {
 
@@ -14,6 +17,13 @@ TEST(BundledScenes, AllLoadWithoutAWarning) {
         EXPECT_FALSE(scene.reason.empty());
         EXPECT_EQ(scene.warnings, std::vector<std::string>{});
     }
+}
+
+TEST(BundledScenes, EachHasARowInTheFoldersReadme) {
+    std::stringstream page;
+    page << std::ifstream(find_scene("cornell").parent_path() / "README.md").rdbuf();
+    for (const std::string& name : bundled_scenes())
+        EXPECT_NE(page.str().find("| `" + name + "` |"), std::string::npos) << name;
 }
 
 TEST(FindScene, TakesNamesAndPathsAndSuggestsTheNearest) {

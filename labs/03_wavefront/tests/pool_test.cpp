@@ -89,7 +89,7 @@ TEST(Task3_1, EveryPixelGetsOneSampleOfTheSky) {
                                       "not 2 samples of the sky (1, 2, 3)",
                                       width, height, pool, block),
                           wrong, 0,
-                          "generate_kernel() must start a path for each pixel of the batch, first "
+                          "generate_kernel() must start a path for each pixel of the fill, first "
                           "+ shuffled(slot), and accumulate_path() add each once, also those that "
                           "ended early"))
             return;
