@@ -1,4 +1,5 @@
 // The scenes that come with raylab, and what identifies a scene.
+#include "common/image/image_file.h"
 #include "common/load/tests/scene_files.h"
 #include "common/scene/scene_features.h"
 
@@ -24,6 +25,18 @@ TEST(BundledScenes, EachHasARowInTheFoldersReadme) {
     page << std::ifstream(find_scene("cornell").parent_path() / "README.md").rdbuf();
     for (const std::string& name : bundled_scenes())
         EXPECT_NE(page.str().find("| `" + name + "` |"), std::string::npos) << name;
+}
+
+TEST(BundledScenes, AreThoseThatTheirReferencesWereMadeOf) {
+    int references = 0;
+    for (const std::string& name : bundled_scenes()) {
+        const std::filesystem::path file = find_scene(name);
+        const std::filesystem::path path = file.parent_path() / "references" / (name + ".exr");
+        if (!std::filesystem::exists(path)) continue;
+        EXPECT_EQ(read_image(path.string()).provenance.scene_hash, load_scene(file).hash) << name;
+        ++references;
+    }
+    EXPECT_GT(references, 10);
 }
 
 TEST(FindScene, TakesNamesAndPathsAndSuggestsTheNearest) {
