@@ -10,12 +10,12 @@ enum class Stage : int {
     walk,
     intersect,
     shade,
-    walk_shadow_rays,
+    shadow_walk,
     shadow,
     compact,
     accumulate
 };
-inline constexpr std::array stage_names = {"generate",         "walk",   "intersect", "shade",
-                                           "walk shadow rays", "shadow", "compact",   "accumulate"};
+inline constexpr std::array stage_names = {"generate",    "walk",   "intersect", "shade",
+                                           "shadow walk", "shadow", "compact",   "accumulate"};
 
 } // namespace raylab::lab04

@@ -103,10 +103,10 @@ void Wavefront::trace_shadow_rays() {
     const int sent = shadow_rays_sent_.to_host().front();
     walks_.shadow_rays() += sent;
     if (accel_.has_triangles())
-        launch_walk(Stage::walk_shadow_rays, accel_.kernels().any, shadow_rays_.data(), sent,
+        launch_walk(Stage::shadow_walk, accel_.kernels().any, shadow_rays_.data(), sent,
                     walks_.of_shadow_rays());
     if (accel_.has_shape_tree())
-        launch_walk(Stage::walk_shadow_rays, shape_kernels().any, shadow_rays_.data(), sent,
+        launch_walk(Stage::shadow_walk, shape_kernels().any, shadow_rays_.data(), sent,
                     walks_.shadow_rays_past_shapes());
     launch(Stage::shadow, kernels_.shadow, shadow_rays_.data(), sent);
 }
