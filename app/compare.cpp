@@ -97,7 +97,7 @@ void write_page(const CompareCommand& command, const Comparison& comparison) {
 void print(const Comparison& comparison) {
     fmt::print("{}\n", comparison.verdict.sentence);
     for (const std::string& hint : comparison.verdict.hints) fmt::print("note: {}\n", hint);
-    const std::optional<Measured>& measured = comparison.verdict.measured;
+    const std::optional<Measures>& measured = comparison.verdict.measured;
     if (comparison.equal || !measured) return;
     if (comparison.metrics_a) {
         print_metrics("A against the reference", *comparison.metrics_a);

@@ -30,7 +30,7 @@ struct DemoOptions {
 
 // All 0 if the image could not be judged.
 Metrics metrics_of(const JudgedScene& judged) {
-    return judged.judgement.verdict.measured.value_or(Measured{}).metrics;
+    return judged.judgement.verdict.measured.value_or(Measures{}).metrics;
 }
 
 ReportEntry report_entry(const JudgedScene& judged, const Image& reference) {

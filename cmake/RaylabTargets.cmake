@@ -38,6 +38,7 @@ function(raylab_test name)
     find_package(GTest REQUIRED)
     add_executable(${name} ${arg_SOURCES})
     # Options of linked libraries come after a target's own: linked last, these have the last word.
+    raylab_compile_together(${name})
     add_library(${name}_options INTERFACE)
     target_compile_options(${name}_options INTERFACE ${arg_OPTIONS})
     target_link_libraries(${name} PRIVATE raylab_flags ${arg_LIBS} GTest::gtest GTest::gtest_main
@@ -54,6 +55,17 @@ endfunction()
 function(raylab_task_tests name)
     set(RAYLAB_TESTS ON) # in this function
     raylab_test(${name} ${ARGN} LABELS tasks)
+endfunction()
+
+# raylab_compile_together(<target>...): eight files at a time are one to the compiler, which reads their
+# headers once: for text, JSON and tests the headers cost more than the files. So the files of such a
+# target share one anonymous namespace. What students edit is compiled file by file.
+function(raylab_compile_together)
+    foreach(target IN LISTS ARGN)
+        if(TARGET ${target})
+            set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        endif()
+    endforeach()
 endfunction()
 
 # raylab_compile_fast(<target>...): where text is read and written and no ray is traced, -O1 runs as

@@ -168,11 +168,6 @@ inline Estimate estimate(const Film& film, int channel = 0) {
     return {sum / pixels, std::sqrt(variance) / pixels, std::sqrt(spread / pixels)};
 }
 
-inline bool same_bits(const Film& a, const Film& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
 // The share of pixels whose sums differ in any bit.
 inline double differing_pixels(const Film& a, const Film& b) {
     std::size_t differ = 0;

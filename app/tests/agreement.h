@@ -37,11 +37,6 @@ inline Traced trace(const std::string& lab, const Scene& scene, const MachineSet
     return traced;
 }
 
-inline bool same_bits(const Film& a, const Film& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
 // Where two renders part first, in words.
 inline std::string first_difference(const Traced& a, const Traced& b, int width) {
     for (std::size_t sample = 0; sample < a.records.size(); ++sample)

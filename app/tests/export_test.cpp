@@ -35,7 +35,7 @@ std::string bytes_of(const std::vector<ExportedFile>& files, const std::string& 
     return {};
 }
 
-std::string refusal(const std::string& material) {
+std::string refusal_of(const std::string& material) {
     try {
         mitsuba_files(parse_scene(scene_with(material), "test.json"));
     } catch (const UsageError& error) {
@@ -46,12 +46,12 @@ std::string refusal(const std::string& material) {
 
 TEST(MitsubaExport, RefusesByNameWhatMitsubaDoesNotHave) {
     EXPECT_THAT(
-        refusal(
+        refusal_of(
             R"({"kind": "phong", "reflectance": [0, 0, 0], "specular": [1, 1, 1], "exponent": 9})"),
         HasSubstr("'a & b' is Phong's"));
-    EXPECT_THAT(refusal(R"({"kind": "glass", "ior": 1.5, "fresnel": "schlick"})"),
+    EXPECT_THAT(refusal_of(R"({"kind": "glass", "ior": 1.5, "fresnel": "schlick"})"),
                 HasSubstr("Schlick"));
-    EXPECT_EQ(refusal(R"({"kind": "glass", "ior": 1.5})"), "written");
+    EXPECT_EQ(refusal_of(R"({"kind": "glass", "ior": 1.5})"), "written");
     EXPECT_THROW(mitsuba_files(load_scene(find_scene("whitted"))), UsageError);
 }
 

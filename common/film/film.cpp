@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace raylab {
 
@@ -31,6 +32,11 @@ Image develop(const Film& film) {
     image.error.resize(film.pixels.size());
     develop(film, image, 0);
     return image;
+}
+
+bool same_bits(const Film& a, const Film& b) {
+    return a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
 }
 
 } // namespace raylab

@@ -53,4 +53,7 @@ Image develop(const Film& film);
 // The same for a strip of a film, into the pixels of `image` from first_pixel on.
 void develop(const Film& strip, Image& image, std::size_t first_pixel);
 
+// Whether two films hold the same bits, those of NaN and of -0 included.
+bool same_bits(const Film& a, const Film& b);
+
 } // namespace raylab

@@ -20,12 +20,13 @@ double mean_level(const Image& image) {
 
 // Averages scale (a - b)^2 - noise(pixel, channel).
 template <class Noise>
-ImageError average(const Image& a, const Image& b, const Image& level, double scale, Noise noise) {
+MeasuredError average(const Image& a, const Image& b, const Image& level, double scale,
+                      Noise noise) {
     if (a.width != b.width || a.height != b.height || a.width != level.width ||
         a.height != level.height)
         throw std::invalid_argument("image error: the images must have the same size");
     const double mean = mean_level(level);
-    ImageError sum;
+    MeasuredError sum;
     std::size_t n = 0;
     for (std::size_t i = 0; i < a.pixels(); ++i) {
         if (!is_finite(a.mean[i]) || !is_finite(b.mean[i]) || !is_finite(level.mean[i])) continue;
@@ -59,13 +60,13 @@ double variance_of_mean(const Image& image) {
 
 } // namespace
 
-ImageError error_against(const Image& image, const Image& reference) {
+MeasuredError error_against(const Image& image, const Image& reference) {
     return average(image, reference, reference, 1, [&](std::size_t i, int c) {
         return reference.error.empty() ? 0.0 : reference.variance(i)[c];
     });
 }
 
-ImageError error_of_pair(const Image& a, const Image& b, const Image& level) {
+MeasuredError error_of_pair(const Image& a, const Image& b, const Image& level) {
     return average(a, b, level, 0.5, [](std::size_t, int) { return 0.0; });
 }
 

@@ -11,7 +11,7 @@
 
 namespace raylab::bench {
 
-struct ImageError {
+struct MeasuredError {
     double mse = 0;     // mean over pixels and channels, squared radiance
     double rel_mse = 0; // each divided by level^2 + (1 % of the mean level)^2, as in measure()
 };
@@ -19,11 +19,11 @@ struct ImageError {
 // mean((image - reference)^2 - var_reference): with many samples a reference of few would otherwise
 // be what is measured. A reference without variance is taken as exact. Same size, or
 // std::invalid_argument; pixels that are not finite are left out.
-ImageError error_against(const Image& image, const Image& reference);
+MeasuredError error_against(const Image& image, const Image& reference);
 
 // mean((a - b)^2) / 2; `level` is the radiance that errors are relative to: not a or b, whose noise
 // it would follow.
-ImageError error_of_pair(const Image& a, const Image& b, const Image& level);
+MeasuredError error_of_pair(const Image& a, const Image& b, const Image& level);
 
 // The difference of mean luminance, relative to the truth's, with the half width of its interval.
 struct Bias {

@@ -63,10 +63,10 @@ Image common_level(const std::vector<Turns>& all, const std::vector<Row>& rows, 
 }
 
 // Every error of a contestant, [which spp][round].
-std::vector<std::vector<ImageError>> errors_of(const Turns& turns, const Truth& truth,
-                                               const Image& level) {
+std::vector<std::vector<MeasuredError>> errors_of(const Turns& turns, const Truth& truth,
+                                                  const Image& level) {
     const std::size_t rounds = turns.drawn.size(), counts = turns.drawn[0].size();
-    std::vector<std::vector<ImageError>> errors(counts);
+    std::vector<std::vector<MeasuredError>> errors(counts);
     for (std::size_t i = 0; i < counts; ++i)
         for (std::size_t r = 0; r < rounds; ++r) {
             const Image& image = turns.drawn[r][i].image;
@@ -110,13 +110,13 @@ void evaluate_time(Row& row, const Turns& turns, const Plan& plan) {
             : fact + ": it is too short to be measured. Raise --spp or --size.");
 }
 
-void evaluate_error(Row& row, const std::vector<std::vector<ImageError>>& errors, const Plan& plan,
-                    double target) {
+void evaluate_error(Row& row, const std::vector<std::vector<MeasuredError>>& errors,
+                    const Plan& plan, double target) {
     const double most = plan.spp.back();
     const std::vector<double> x(plan.spp.begin(), plan.spp.end());
     std::vector<double> mse, rel_mse, efficiency, seconds, exponents;
     for (std::size_t r = 0; r < errors[0].size(); ++r) {
-        const ImageError error = errors.back()[r];
+        const MeasuredError error = errors.back()[r];
         const double slope = row.ms_per_spp.rounds[r] / 1000;
         mse.push_back(error.mse);
         rel_mse.push_back(error.rel_mse);
@@ -135,7 +135,7 @@ void evaluate_error(Row& row, const std::vector<std::vector<ImageError>>& errors
     row.exponent = measured(exponents);
     for (std::size_t i = 0; i < errors.size(); ++i) {
         std::vector<double> relative, absolute;
-        for (const ImageError& error : errors[i]) {
+        for (const MeasuredError& error : errors[i]) {
             relative.push_back(error.rel_mse);
             absolute.push_back(error.mse);
         }

@@ -16,9 +16,9 @@ namespace raylab::bench {
 namespace {
 
 using namespace html;
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
-std::string bias(const json& b) {
+std::string bias(const ordered_json& b) {
     if (b.at("relative").is_null()) return unknown;
     return fmt::format("{:+.2f}&#8239;%<span class=\"interval\">&plusmn; {:.2f}&#8239;%</span>",
                        100 * b.at("relative").get<double>(),
@@ -27,7 +27,7 @@ std::string bias(const json& b) {
 
 std::string millions(double v) { return v > 0 ? fmt::format("{:.2f}&#8239;M", v * 1e-6) : unknown; }
 
-std::string row_html(const json& row, std::size_t colour) {
+std::string row_html(const ordered_json& row, std::size_t colour) {
     const std::string name = fmt::format(
         "<td><span class=\"key c{}\"></span><strong>{}</strong>{}<span "
         "class=\"interval\">{}</span></td>",
@@ -37,17 +37,17 @@ std::string row_html(const json& row, std::size_t colour) {
         return fmt::format("<tr>{}<td colspan=\"8\" class=\"hint\">{}</td></tr>\n", name,
                            text(row.at("failure")));
     std::string html =
-        "<tr>" + name + cell(measured(row.at("ms_per_spp"))) +
-        cell(measured(row.at("start_up_seconds"))) + cell(measured(row.at("rel_mse"))) +
-        cell(measured(row.at("efficiency"))) +
-        cell(measured(row.at("efficiency_ratio"), "&times;&#8239;")) +
-        cell(measured(row.at("seconds_to_target"))) + cell(bias(row.at("bias"))) +
+        "<tr>" + name + cell(html::measured(row.at("ms_per_spp"))) +
+        cell(html::measured(row.at("start_up_seconds"))) + cell(html::measured(row.at("rel_mse"))) +
+        cell(html::measured(row.at("efficiency"))) +
+        cell(html::measured(row.at("efficiency_ratio"), "&times;&#8239;")) +
+        cell(html::measured(row.at("seconds_to_target"))) + cell(bias(row.at("bias"))) +
         cell(millions(row.at("rays_per_second"))) +
         cell(row.at("bytes_per_path") > 0 ? digits(row.at("bytes_per_path")) : unknown) + "</tr>\n";
     html +=
         fmt::format("<tr class=\"verdict\"><td colspan=\"10\" class=\"{}\">{}</td></tr>\n",
                     row.at("agrees").get<bool>() ? "agrees" : "differs", text(row.at("verdict")));
-    for (const json& remark : row.at("remarks"))
+    for (const ordered_json& remark : row.at("remarks"))
         html += fmt::format(
             "<tr class=\"verdict\"><td colspan=\"10\" class=\"hint\">{}</td></tr>\n", text(remark));
     return html;
@@ -59,11 +59,11 @@ std::string plot(const char* kind, std::size_t scene, const std::string& caption
                        kind, scene, caption);
 }
 
-std::string scene_html(const json& scene, std::size_t index, const json& bench) {
+std::string scene_html(const ordered_json& scene, std::size_t index, const ordered_json& bench) {
     std::string rows;
     bool has_bounces = false;
     for (std::size_t i = 0; i < scene.at("rows").size(); ++i) {
-        const json& row = scene.at("rows")[i];
+        const ordered_json& row = scene.at("rows")[i];
         rows += row_html(row, i % 8);
         has_bounces = has_bounces || !row.value("bounces", json::array()).empty();
     }
@@ -100,9 +100,9 @@ std::string scene_html(const json& scene, std::size_t index, const json& bench) 
            "<tbody>" + rows + "</tbody></table></div></section>\n";
 }
 
-std::string against_html(const json& against) {
+std::string against_html(const ordered_json& against) {
     std::string rows;
-    for (const json& c : against.at("changes"))
+    for (const ordered_json& c : against.at("changes"))
         rows += fmt::format(
             "<tr><td>{}</td><td>{}</td><td>{}</td>{}<td class=\"{}\">{}</td><td>{}</td></tr>\n",
             text(c.at("scene")), text(c.at("contestant")), text(c.at("quantity")),
@@ -111,7 +111,7 @@ std::string against_html(const json& against) {
                              c.at("high").get<double>())),
             text(c.at("verdict")), text(c.at("verdict")), text(c.at("formed")));
     std::string notes;
-    for (const json& note : against.at("notes"))
+    for (const ordered_json& note : against.at("notes"))
         notes += "<p class=\"hint\">" + text(note) + "</p>\n";
     return fmt::format(
         "<section><h2>Against commit {}</h2>\n<p class=\"reason\">This run over that of "
@@ -124,9 +124,9 @@ std::string against_html(const json& against) {
 
 } // namespace
 
-std::string page_html(const json& bench, const std::string& machine) {
+std::string page_html(const ordered_json& bench, const std::string& machine) {
     std::string notes, sections;
-    for (const json& note : bench.at("notes"))
+    for (const ordered_json& note : bench.at("notes"))
         notes += "<p class=\"hint\">" + text(note) + "</p>\n";
     for (std::size_t i = 0; i < bench.at("scenes").size(); ++i)
         sections += scene_html(bench.at("scenes")[i], i, bench);

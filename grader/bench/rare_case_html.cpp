@@ -9,21 +9,21 @@ namespace raylab::bench {
 namespace {
 
 using namespace html;
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 std::string times(double ratio) { return fmt::format("&times;&#8239;{:.2f}", ratio); }
 
 std::string percent(double share) { return fmt::format("{:.1f}&#8239;%", 100 * share); }
 
 // ms, and how many times the megakernel's.
-std::string time_cells(double seconds, const json& megakernel) {
+std::string time_cells(double seconds, const ordered_json& megakernel) {
     return cell(digits(1e3 * seconds)) +
            cell(megakernel.is_null() ? unknown
                                      : times(seconds / megakernel.at("seconds").get<double>()));
 }
 
-std::string wavefront_html(const char* name, std::size_t colour, const json& costs,
-                           const json& megakernel) {
+std::string wavefront_html(const char* name, std::size_t colour, const ordered_json& costs,
+                           const ordered_json& megakernel) {
     const auto figure = [&](const char* key) { return costs.at(key).get<double>(); };
     const auto whole = [](double v) { return cell(v > 0 ? fmt::format("{:.0f}", v) : unknown); };
     return fmt::format("<tr><td><span class=\"key c{}\"></span>{}</td>", colour, name) +
@@ -34,8 +34,8 @@ std::string wavefront_html(const char* name, std::size_t colour, const json& cos
            cell(percent(figure("share_between_launches"))) + "</tr>\n";
 }
 
-std::string case_html(const json& row) {
-    const json& megakernel = row.at("megakernel");
+std::string case_html(const ordered_json& row) {
+    const ordered_json& megakernel = row.at("megakernel");
     std::string html = fmt::format(
         "<tr class=\"case\"><td colspan=\"10\"><strong>{}</strong><span class=\"interval\">{}, {} "
         "&times; {}. {}</span></td></tr>\n",
@@ -58,9 +58,9 @@ std::string plot(const char* quantity, const char* caption) {
 
 } // namespace
 
-std::string rare_cases_html(const json& rows) {
+std::string rare_cases_html(const ordered_json& rows) {
     std::string cases;
-    for (const json& row : rows) cases += case_html(row);
+    for (const ordered_json& row : rows) cases += case_html(row);
     return "<section id=\"rare-cases\"><h2>The rare cases that gain nothing</h2>\n"
            "<p class=\"reason\">Compaction takes the rays that have ended out of the list, so that "
            "later iterations launch fewer blocks. That pays where many rays end early, as in the "

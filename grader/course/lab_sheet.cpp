@@ -5,6 +5,7 @@
 #include "common/load/node.h"
 #include "common/load/scene_error.h"
 #include "common/load/suggest.h"
+#include "grader/course/contains.h"
 
 #include <fmt/format.h>
 
@@ -15,10 +16,6 @@ namespace raylab {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 std::string filled(const Node& node) {
     std::string text = node.string();

@@ -2,6 +2,7 @@
 
 #include "common/cli/files.h"
 #include "common/load/suggest.h"
+#include "grader/course/contains.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,10 +16,6 @@ namespace raylab {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 // What every tree has, apart from its lab.
 const std::vector<std::string> given = {

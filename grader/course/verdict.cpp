@@ -2,6 +2,7 @@
 
 #include "common/cli/files.h"
 #include "common/cli/process.h"
+#include "grader/course/contains.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -162,10 +163,6 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
     if (outcome.facts.empty())
         outcome.facts = {fmt::format("{} ended with exit code {}", name, process.exit_code)};
     return outcome;
-}
-
-template <class T> bool contains(const std::vector<T>& list, const T& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
 }
 
 void append_new(std::vector<Stub>& stubs, const Stub& stub) {

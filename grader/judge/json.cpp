@@ -78,7 +78,7 @@ void to_json(json& j, const ExactResult& r) {
 }
 
 void to_json(json& j, const IndependentResult& r) {
-    const Measured measured = r.verdict.measured.value_or(Measured{});
+    const Measures measured = r.verdict.measured.value_or(Measures{});
     j = {{"judge", "independent"},
          {"verdict", r.verdict},
          {"soundness", r.soundness},
@@ -111,7 +111,7 @@ void to_json(json& j, const Comparison& c) {
          {"tests", c.tests},
          {"worst", to_object(c.worst)},
          {"metrics", c.metrics()},
-         {"z_map", to_object(c.verdict.measured.value_or(Measured{}).z_map)}};
+         {"z_map", to_object(c.verdict.measured.value_or(Measures{}).z_map)}};
     j["worst"]["region"] = c.worst_region;
     j["worst"]["channel"] = c.worst_channel;
     j["worst"]["relative_difference"] = c.worst_relative;

@@ -15,7 +15,7 @@ const DVec3 colour_axes[3] = {luminance_weights, {1, -1, 0}, {0, -1, 1}};
 
 namespace {
 
-constexpr double rounding = 1e-6; // relative noise below this is not noise
+constexpr double noise_floor = 1e-6; // relative noise below this is not noise
 
 // Excess kurtosis m4 / m2^2 - 3 of the values along one axis; 0 where they do not vary.
 double excess_kurtosis(const std::vector<DVec3>& values, const DVec3& mean, const DVec3& axis) {
@@ -25,7 +25,7 @@ double excess_kurtosis(const std::vector<DVec3>& values, const DVec3& mean, cons
         m2 += d * d;
         m4 += d * d * d * d;
     }
-    const double n = double(values.size()), level = rounding * glm::length(mean);
+    const double n = double(values.size()), level = noise_floor * glm::length(mean);
     return m2 <= n * level * level ? 0 : m4 * n / (m2 * m2) - 3;
 }
 

@@ -12,7 +12,7 @@ namespace raylab {
 
 // Measures of an image against another of the same size. The judge computes them once; pages and
 // tables show these numbers.
-struct Measured {
+struct Measures {
     Metrics metrics;
     ZMap z_map;
 };
@@ -22,7 +22,7 @@ struct Verdict {
     std::string sentence;
     std::vector<std::string> hints = {}; // worth knowing, never decided on
     // Of the two images that were judged; nothing if one of them is unsound.
-    std::optional<Measured> measured = {};
+    std::optional<Measures> measured = {};
 };
 
 // A rectangle of pixels, [x0, x1) x [y0, y1).

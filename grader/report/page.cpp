@@ -57,7 +57,7 @@ class Pictures {
 std::string table_row(const ReportEntry& e) {
     std::string error = "&ndash;", rel_mse = "&ndash;";
     if (has_pair(e)) {
-        const Metrics m = e.verdict.measured.value_or(Measured{}).metrics;
+        const Metrics m = e.verdict.measured.value_or(Measures{}).metrics;
         error = percent(m.rel_error);
         rel_mse = fmt::format("{:.1e}", m.rel_mse);
     }
@@ -145,7 +145,7 @@ std::string viewer(const ReportEntry& e, Pictures& pictures, nlohmann::json& vie
     view["captions"]["rendered"] = rendered;
     std::vector<std::pair<const char*, const char*>> modes{{"rendered", "rendered"}};
     if (has_pair(e)) {
-        const auto [metrics, map] = e.verdict.measured.value_or(Measured{});
+        const auto [metrics, map] = e.verdict.measured.value_or(Measures{});
         const double range = difference_range(image, *e.reference);
         view["reference"] = pictures.id_of(*e.reference);
         view["z"] = map.z;

@@ -20,7 +20,7 @@ nlohmann::json report_json(const Report& report) {
     for (const ReportEntry& e : report.entries) {
         json facts = json::object(), metrics;
         for (const Fact& fact : e.facts) facts[fact.label] = fact.value;
-        if (has_pair(e)) metrics = e.verdict.measured.value_or(Measured{}).metrics;
+        if (has_pair(e)) metrics = e.verdict.measured.value_or(Measures{}).metrics;
         entries.push_back({{"scene", e.scene},
                            {"title", e.title},
                            {"reason", e.reason},

@@ -64,7 +64,7 @@ TEST(QuadGlance, loses_no_hit_and_is_sure_only_of_hits) {
             const QuadGlance seen = glance(group, ray, ray.t_max);
             ASSERT_EQ(seen.maybe >> size, 0u) << "a lane without a quad";
             for (int lane = 0; lane < size; ++lane) {
-                float t, t_inside;
+                float t = infinity, t_inside = infinity;
                 const bool met = intersect(quads[lane], ShearedRay(ray), t);
                 const bool maybe = seen.maybe >> lane & 1;
                 hits += met;

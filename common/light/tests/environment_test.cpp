@@ -7,8 +7,6 @@
 namespace raylab {
 namespace {
 
-constexpr Features F = feature::all;
-
 // A map with what is hard: bright texels at both poles and on both sides of the seam, black texels,
 // a black row.
 test::LightScene hard_map(int width = 16, int height = 9) {

@@ -6,6 +6,12 @@
 
 #include <vector>
 
+namespace raylab {
+
+constexpr Features F = feature::all; // the tests know every kind of light
+
+} // namespace raylab
+
 namespace raylab::test {
 
 struct LightScene {

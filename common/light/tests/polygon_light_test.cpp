@@ -9,8 +9,6 @@
 namespace raylab {
 namespace {
 
-constexpr Features F = feature::all;
-
 // Irradiance at the origin, normal +z, from a polygon of radiance 1 above the horizon: half the sum
 // over edges of their angle times the z of the edge plane's normal (Lambert 1760; Baum et al.
 // 1989).

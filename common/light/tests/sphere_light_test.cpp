@@ -7,7 +7,6 @@
 namespace raylab {
 namespace {
 
-constexpr Features F = feature::all;
 constexpr float ratios[] = {0.9f, 0.5f, 0.1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-8f};
 
 TEST(SphLight, density_is_that_of_the_cone_at_every_size) {

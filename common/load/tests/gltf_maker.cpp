@@ -73,4 +73,8 @@ Scene load_made(const std::string& bytes, const std::string& keys) {
     return load(scene_of_shapes(R"({"kind": "mesh", "file": "m.gltf")" + keys + "}"), folder);
 }
 
+DVec3 corner(const Mesh& mesh, int triangle, int i) {
+    return mesh.positions.at(mesh.triangles.at(triangle).position[i]);
+}
+
 } // namespace raylab

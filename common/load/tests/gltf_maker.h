@@ -44,4 +44,6 @@ Mesh parse_made(const std::string& bytes);
 // As a mesh shape, with more keys (", \"lights\": true").
 Scene load_made(const std::string& bytes, const std::string& keys = "");
 
+DVec3 corner(const Mesh& mesh, int triangle, int i); // where it is
+
 } // namespace raylab

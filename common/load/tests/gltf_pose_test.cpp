@@ -8,11 +8,6 @@ namespace {
 
 const std::string triangle_mesh = R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])";
 
-DVec3 corner(const Mesh& mesh, int triangle, int i) {
-    return mesh
-        .positions[std::size_t(mesh.triangles.at(std::size_t(triangle)).position[std::size_t(i)])];
-}
-
 void expect_near(DVec3 a, DVec3 b) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-6);
 }

@@ -59,10 +59,6 @@ std::string square_file(const std::string& index_bytes, int type, int count,
 
 const std::string two_triangles("\0\1\2\0\2\3", 6);
 
-DVec3 corner(const Mesh& mesh, int triangle, int i) {
-    return mesh.positions[mesh.triangles[triangle].position[i]];
-}
-
 double signed_area(const Mesh& mesh) { // seen from +z
     double sum = 0;
     for (int t = 0; t < int(mesh.triangles.size()); ++t)

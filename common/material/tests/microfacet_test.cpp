@@ -158,7 +158,7 @@ Material white_metal(float alpha, Microfacets kind = Microfacets::ggx) {
 
 // Albedo of a white GGX metal by quadrature in double of Torrance and Sparrow's f cos_i dwi, with
 // f = D G1 G1 / (4 mu cos_i) and dwi = 4 (wo.m) dm.
-double albedo_truth(double alpha, double mu) {
+double ggx_albedo(double alpha, double mu) {
     const double so = std::sqrt(1 - mu * mu);
     const auto G1 = [&](double z) {
         return 2 / (1 + std::sqrt(1 + alpha * alpha * (1 - z * z) / (z * z)));
@@ -177,7 +177,7 @@ double albedo_truth(double alpha, double mu) {
 }
 
 TEST(GgxFurn, albedo_of_a_white_metal) {
-    EXPECT_NEAR(albedo_truth(1, 1), 1 - std::log(2), 1e-5) << "closed form";
+    EXPECT_NEAR(ggx_albedo(1, 1), 1 - std::log(2), 1e-5) << "closed form";
     double worst = 0;
     for (const float alpha : {0.01f, 0.1f, 0.3f, 0.5f, 1.0f})
         for (const float mu : {1.0f, 0.5f, 0.1f, 0.01f}) {
@@ -189,7 +189,7 @@ TEST(GgxFurn, albedo_of_a_white_metal) {
                 const BsdfSample s = sample_bsdf<feature::all>(m, Vec3(1), wo, 0, random.square());
                 albedo.add(s.valid ? s.weight.x : 0);
             }
-            const double truth = albedo_truth(alpha, mu);
+            const double truth = ggx_albedo(alpha, mu);
             EXPECT_NEAR(albedo.mean(), truth, 4 * albedo.standard_error() + 5e-4)
                 << "alpha " << alpha << " mu " << mu;
             EXPECT_LE(albedo.mean(), 1);

@@ -10,7 +10,7 @@ namespace {
 // Integral over the upper hemisphere of (n + 2) / (2 pi) cos^n(alpha) cos(theta), in double, in
 // polar coordinates around the mirrored direction: cos(alpha) = x^(1 / (n + 1)) spreads the lobe
 // over x.
-double albedo_truth(double n, double mu) {
+double lobe_albedo(double n, double mu) {
     const int n_x = 500, n_phi = 500;
     const double sine = std::sqrt(1 - mu * mu);
     double sum = 0;
@@ -24,7 +24,7 @@ double albedo_truth(double n, double mu) {
 
 TEST(PhongAlb, albedo_of_a_white_lobe) {
     // n = 1, mirrored direction at the angle g: ((pi - g) cos g + sin g) / pi, two clamped cosines.
-    EXPECT_NEAR(albedo_truth(1, 0.5), 1.0 / 3 + std::sqrt(0.75) / M_PI, 1e-5);
+    EXPECT_NEAR(lobe_albedo(1, 0.5), 1.0 / 3 + std::sqrt(0.75) / M_PI, 1e-5);
     double worst = 0;
     for (const float n : {1.0f, 10.0f, 100.0f, 1000.0f})
         for (const float mu : {1.0f, 0.5f, 0.1f}) {
@@ -40,7 +40,7 @@ TEST(PhongAlb, albedo_of_a_white_lobe) {
                 const BsdfSample s = sample_bsdf<feature::all>(m, Vec3(0), wo, 0, u);
                 albedo.add(s.valid ? s.weight.x : 0);
             }
-            const double truth = albedo_truth(n, mu);
+            const double truth = lobe_albedo(n, mu);
             EXPECT_NEAR(albedo.mean(), truth, 4 * albedo.standard_error() + 1e-3)
                 << "n " << n << " mu " << mu;
             EXPECT_LE(truth, 1.0001);
@@ -53,7 +53,7 @@ TEST(PhongAlb, albedo_of_a_white_lobe) {
 TEST(PhongAlb, the_unnormalised_lobe_makes_light) {
     // cos^n / cos, the lobe as Phong wrote it (1975), has no bound at grazing; the plain (n + 1)
     // form loses a part (n + 1) / (n + 2) at normal incidence.
-    EXPECT_NEAR(albedo_truth(1, 1) * (1 + 1) / (1 + 2), 2.0 / 3, 1e-5);
+    EXPECT_NEAR(lobe_albedo(1, 1) * (1 + 1) / (1 + 2), 2.0 / 3, 1e-5);
 }
 
 TEST(Phong, narrow_lobes_keep_their_digits) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double half_angle_tan = 0.24 / 0.7;
 
 // Gives each triangle its place for an id.
-void number(RayMesh& mesh) {
+void number_faces(RayMesh& mesh) {
     if (mesh.triangles.empty())
         throw SceneError(mesh.name + " has no triangles with an area: there is nothing to trace");
     int place = 0;
@@ -36,7 +36,7 @@ RayMesh from_mesh(const std::string& name, const Mesh& source) {
     for (const MeshTriangle& t : source.triangles)
         add_triangle(mesh, source.positions[t.position[0]], source.positions[t.position[1]],
                      source.positions[t.position[2]], 0);
-    number(mesh);
+    number_faces(mesh);
     return mesh;
 }
 
@@ -103,7 +103,7 @@ RayMesh polygons_of(const Scene& scene) {
     mesh.triangles.insert(mesh.triangles.end(), scene.triangles.begin(), scene.triangles.end());
     std::stable_sort(mesh.triangles.begin(), mesh.triangles.end(),
                      [](const Triangle& a, const Triangle& b) { return a.tags.id < b.tags.id; });
-    number(mesh);
+    number_faces(mesh);
     mesh.camera = scene.camera;
     mesh.camera.lens_radius = 0;
     return mesh;

@@ -15,27 +15,27 @@ extern const char* const rays_page_js; // rays_page_js.cpp.in
 namespace {
 
 using namespace html;
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
-std::string key(const json& name, const json& bench) {
+std::string key(const ordered_json& name, const ordered_json& bench) {
     return fmt::format("<span class=\"key c{}\"></span>",
                        bench.at("styles").at(name.get<std::string>()).at("colour").get<int>());
 }
 
-std::string name_cell(const json& row, const json& bench) {
+std::string name_cell(const ordered_json& row, const ordered_json& bench) {
     return fmt::format("<td>{}<strong>{}</strong>{}<span class=\"interval\">{}</span></td>",
                        key(row.at("name"), bench), text(row.at("name")),
                        row.at("name") == bench.at("baseline") ? " <em>baseline</em>" : "",
                        text(row.at("title")));
 }
 
-std::string optional(const json& value) {
+std::string optional(const ordered_json& value) {
     return value.is_null() ? unknown : digits(value.get<double>());
 }
 
-std::string builds_html(const json& race, const json& bench) {
+std::string builds_html(const ordered_json& race, const ordered_json& bench) {
     std::string rows;
-    for (const json& row : race.at("rows")) {
+    for (const ordered_json& row : race.at("rows")) {
         rows += "<tr>" + name_cell(row, bench);
         rows += row.contains("failure")
                     ? "<td colspan=\"3\" class=\"hint\">" + text(row.at("failure")) + "</td>"
@@ -52,11 +52,11 @@ std::string builds_html(const json& race, const json& bench) {
            "<tbody>" + rows + "</tbody></table>\n";
 }
 
-std::string cells_html(const json& race, const json& bench) {
+std::string cells_html(const ordered_json& race, const ordered_json& bench) {
     std::string rows;
-    for (const json& row : race.at("rows")) {
+    for (const ordered_json& row : race.at("rows")) {
         if (row.contains("failure")) continue;
-        for (const json& c : row.at("cells"))
+        for (const ordered_json& c : row.at("cells"))
             rows += fmt::format(
                 "<tr><td>{}{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n", key(row.at("name"), bench),
                 text(row.at("name")), text(c.at("rays")),
@@ -83,7 +83,7 @@ std::string plot(const std::string& kind, std::size_t race, const std::string& c
                        kind, race, caption);
 }
 
-std::string race_html(const json& race, std::size_t index, const json& bench) {
+std::string race_html(const ordered_json& race, std::size_t index, const ordered_json& bench) {
     const std::string left_out = text(race.at("left_out"));
     return fmt::format("<section><h2>{}</h2>\n<p class=\"reason\">{} triangles{}; answers are "
                        "compared with "
@@ -96,7 +96,7 @@ std::string race_html(const json& race, std::size_t index, const json& bench) {
            builds_html(race, bench) + cells_html(race, bench) + "</section>\n";
 }
 
-std::string scaling_html(const json& bench) {
+std::string scaling_html(const ordered_json& bench) {
     if (bench.at("scaling").get<std::string>().empty()) return "";
     return "<section><h2>Growth</h2>\n<div class=\"plots\">" +
            plot(
@@ -111,9 +111,9 @@ std::string scaling_html(const json& bench) {
            "</div></section>\n";
 }
 
-std::string summaries_html(const json& bench) {
+std::string summaries_html(const ordered_json& bench) {
     std::string rows;
-    for (const json& s : bench.at("summaries")) {
+    for (const ordered_json& s : bench.at("summaries")) {
         rows += fmt::format(
             "<tr><td>{}{}</td>{}{}</tr>\n", key(s.at("name"), bench), text(s.at("name")),
             cell(s.at("mean").is_null() ? text(s.at("why_not"))
@@ -130,9 +130,9 @@ std::string summaries_html(const json& bench) {
 
 } // namespace
 
-std::string rays_page_html(const json& bench, const std::string& machine) {
+std::string rays_page_html(const ordered_json& bench, const std::string& machine) {
     std::string notes, sections;
-    for (const json& note : bench.at("notes"))
+    for (const ordered_json& note : bench.at("notes"))
         notes += "<p class=\"hint\">" + text(note) + "</p>\n";
     for (std::size_t i = 0; i < bench.at("races").size(); ++i)
         sections += race_html(bench.at("races")[i], i, bench);
@@ -155,7 +155,7 @@ std::string rays_page_html(const json& bench, const std::string& machine) {
         100 * bench.at("interval_coverage").get<double>(), bench.at("tolerated_t").get<double>(),
         bench.at("tolerated_share").get<double>());
     return html_page({"raylab bench-rays", std::string(raylab::page_css) + page_css, body,
-                      bench.dump(-1, ' ', false, json::error_handler_t::replace),
+                      bench.dump(-1, ' ', false, ordered_json::error_handler_t::replace),
                       std::string(plot_parts_js) + rays_page_js});
 }
 

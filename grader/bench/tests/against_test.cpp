@@ -7,7 +7,7 @@
 namespace raylab::bench {
 namespace {
 
-using simulated::contestant;
+using simulated_bench::contestant;
 using testing::HasSubstr;
 
 // A run in which contestant "b" takes `seconds` a sample and the machine is `load` times as slow.
@@ -16,7 +16,7 @@ nlohmann::json run_with(double seconds, double load, float scale = 1) {
     bench.options.baseline = "a";
     bench.options.plan.spp = {16, 64};
     SceneResult scene{"room", "room", "hash", 48, 48, 8, "", {}};
-    scene.rows = simulated::rows_of(
+    scene.rows = simulated_bench::rows_of(
         {contestant("a", {load, 0.1 * load}), contestant("b", {load, seconds * load, scale})}, "a");
     bench.scenes = {scene};
     return to_json(bench);

@@ -9,9 +9,9 @@
 namespace raylab::bench {
 namespace {
 
-using simulated::contestant;
-using simulated::Habits;
-using simulated::rows_of;
+using simulated_bench::contestant;
+using simulated_bench::Habits;
+using simulated_bench::rows_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -53,8 +53,8 @@ TEST(Evaluate, FindsStartUpSlopeErrorAndRatio) {
 
 // From the reference the error is the same, also if the reference is no better than the render.
 TEST(Evaluate, ErrorsFromAReferenceAndFromPairsAreTheSame) {
-    const Image reference = raylab::simulated::reference(simulated::size, simulated::size, 5,
-                                                         raylab::simulated::Noise::pixel, 64);
+    const Image reference = raylab::simulated::reference(
+        simulated_bench::size, simulated_bench::size, 5, raylab::simulated::Noise::pixel, 64);
     const auto from_reference = rows_of({contestant("a", {})}, "a", &reference);
     const auto from_pairs = rows_of({contestant("a", {})}, "a");
     EXPECT_NEAR(from_reference[0].mse.median / from_pairs[0].mse.median, 1, 0.1);

@@ -9,7 +9,7 @@
 namespace raylab::bench {
 namespace {
 
-using simulated::contestant;
+using simulated_bench::contestant;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -23,7 +23,7 @@ Bench everything() {
                                    throw ContestantError("failed, with a \"quote\", and\na line");
                                }};
     SceneResult scene{"room", "A <b>room</b>", "0123", 48, 48, 8, "Errors come from pairs.", {}};
-    scene.rows = simulated::rows_of(
+    scene.rows = simulated_bench::rows_of(
         {contestant("right", {}), contestant("dark", {1, 0.1, 0.9f}), broken}, "right");
     bench.scenes = {scene};
     bench.notes = {"cycles: not here."};

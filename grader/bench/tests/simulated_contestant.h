@@ -5,7 +5,7 @@
 #include "grader/bench/evaluate.h"
 #include "grader/judge/tests/simulated.h"
 
-namespace raylab::bench::simulated {
+namespace raylab::bench::simulated_bench {
 
 constexpr int size = 48; // pixels a side
 
@@ -36,4 +36,4 @@ inline std::vector<Row> rows_of(const std::vector<Contestant>& contestants,
     return evaluate(take_turns(contestants, options.plan), reference, options);
 }
 
-} // namespace raylab::bench::simulated
+} // namespace raylab::bench::simulated_bench

@@ -12,7 +12,7 @@ namespace {
 using namespace simulated;
 using testing::HasSubstr;
 
-constexpr int size = 128;
+constexpr int side = 128;
 
 // Judges renders whose truth is multiplied by scale(x, y), 16 replicates of 16 spp.
 template <class Scale>
@@ -22,8 +22,8 @@ IndependentResult judge(Scale scale, int spp = 16, Noise noise = Noise::pixel,
     options.spp = spp;
     options.first_seed = first_seed;
     return judge_independent(
-        [&](std::uint32_t seed, int n) { return render(size, size, seed, n, noise, scale); },
-        reference(size, size, 99, noise, spp), options);
+        [&](std::uint32_t seed, int n) { return render(side, side, seed, n, noise, scale); },
+        reference(side, side, 99, noise, spp), options);
 }
 
 const auto correct = [](int, int) { return 1.0f; };
@@ -49,11 +49,11 @@ TEST(Power, OnePercentTooBrightIsFoundEveryTime) {
 }
 
 TEST(Power, ASuspicionThatFreshSeedsTurnRoundIsNotBelieved) {
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     const auto r = judge_independent(
         [&](std::uint32_t seed, int spp) {
             const float scale = seed <= 16 ? 1.02f : 0.98f; // seeds 1 to 16: the first stage
-            return render(size, size, seed, spp, Noise::pixel, [&](int, int) { return scale; });
+            return render(side, side, seed, spp, Noise::pixel, [&](int, int) { return scale; });
         },
         known);
     ASSERT_TRUE(r.second.has_value());
@@ -63,10 +63,10 @@ TEST(Power, ASuspicionThatFreshSeedsTurnRoundIsNotBelieved) {
 }
 
 TEST(Power, AReferenceThatIsTooNoisyIsSaid) {
-    Image known = reference(size, size, 99, Noise::pixel, 16);
+    Image known = reference(side, side, 99, Noise::pixel, 16);
     for (Vec3& v : known.error) v *= 8.0f;
     known.provenance.spp /= 64;
-    const auto r = judge_replicates(replicates(size, size, 1, 16, Noise::pixel), known);
+    const auto r = judge_replicates(replicates(side, side, 1, 16, Noise::pixel), known);
     EXPECT_THAT(r.verdict.hints.at(0), HasSubstr("the reference's own"));
 }
 
@@ -99,11 +99,11 @@ TEST(Power, OneWrongAlbedoIsFoundThoughTheWholeImageErrorDoesNotSeeIt) {
     const Region& r = result.screening.worst.region;
     EXPECT_TRUE(r.x0 < 62 && r.x1 > 50 && r.y0 < 82 && r.y1 > 70) << to_string(r);
 
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     double largest = 0;
     for (std::uint64_t seed = 1; seed <= 16; ++seed)
-        largest = std::max(largest, rmse(render(size, size, seed, 16, Noise::pixel), known));
-    const double wrong = rmse(render(size, size, 17, 16, Noise::pixel, patch), known);
+        largest = std::max(largest, rmse(render(side, side, seed, 16, Noise::pixel), known));
+    const double wrong = rmse(render(side, side, 17, 16, Noise::pixel, patch), known);
     std::printf("    wrong albedo: t = %.1f; whole-image RMSE %.5f, correct renders up to %.5f\n",
                 result.screening.worst.test.statistic, wrong, largest);
     EXPECT_LT(wrong, largest);
@@ -115,17 +115,17 @@ TEST(Power, AColourShiftIsFoundByHotellingAndMissedChannelByChannel) {
     const auto shift = [](int, int) { return Vec3(1.01f, 1, 0.99f); };
     // Noise that is almost grey, 40 spp in all.
     const auto grey = [&](std::uint64_t seed, int spp, bool wrong) {
-        Image image = render(size, size, seed, spp, Noise::pixel);
+        Image image = render(side, side, seed, spp, Noise::pixel);
         Random random(seed);
         for (std::size_t i = 0; i < image.pixels(); ++i) {
-            const Vec3 t = truth(int(i) % size, int(i) / size, size, size);
+            const Vec3 t = truth(int(i) % side, int(i) / side, side, side);
             const Vec3 n = random.noise();
             image.mean[i] = t * (Vec3(1) + 4.0f / std::sqrt(float(spp)) * (Vec3(n.x) + 0.05f * n)) *
                             (wrong ? shift(0, 0) : Vec3(1));
         }
         return image;
     };
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     int by_chroma = 0, by_channel = 0, false_alarms = 0;
     for (std::uint64_t g = 0; g < 20; ++g) {
         for (const bool wrong : {false, true}) {
@@ -172,9 +172,9 @@ bool passes_pixel_by_pixel(const Image& image, const Image& known, int spp) {
 TEST(Power, TwentyPercentTooBrightPassesPixelByPixelAndFailsHere) {
     const auto bright = [](int, int) { return 1.2f; };
     constexpr int spp = 16;
-    const Image known = reference(size, size, 99, Noise::pixel, spp);
+    const Image known = reference(side, side, 99, Noise::pixel, spp);
     EXPECT_TRUE(
-        passes_pixel_by_pixel(render(size, size, 1, spp, Noise::pixel, bright), known, spp));
+        passes_pixel_by_pixel(render(side, side, 1, spp, Noise::pixel, bright), known, spp));
     const auto result = judge(bright);
     EXPECT_FALSE(result.verdict.passed);
     EXPECT_NEAR(result.verdict.measured->metrics.rel_error, 0.2, 0.005);
@@ -183,9 +183,9 @@ TEST(Power, TwentyPercentTooBrightPassesPixelByPixelAndFailsHere) {
 
 TEST(Honesty, AnIgnoredSeedFails) {
     IndependentOptions options;
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     const auto r = judge_independent(
-        [&](std::uint32_t, int spp) { return render(size, size, 7, spp, Noise::pixel); }, known,
+        [&](std::uint32_t, int spp) { return render(side, side, 7, spp, Noise::pixel); }, known,
         options);
     EXPECT_FALSE(r.verdict.passed);
     EXPECT_TRUE(r.honesty.seed_ignored);
@@ -193,9 +193,9 @@ TEST(Honesty, AnIgnoredSeedFails) {
 }
 
 TEST(Honesty, AnImageWithoutNoiseMayBeEqualForAllSeeds) {
-    Image known = render(size, size, 1, 1, Noise::pixel);
+    Image known = render(side, side, 1, 1, Noise::pixel);
     for (std::size_t i = 0; i < known.pixels(); ++i)
-        known.mean[i] = truth(int(i) % size, int(i) / size, size, size);
+        known.mean[i] = truth(int(i) % side, int(i) / side, side, side);
     known.error.assign(known.pixels(), Vec3(0));
     const Image exact = known;
     auto r = judge_independent([&](std::uint32_t, int) { return exact; }, known);
@@ -207,11 +207,11 @@ TEST(Honesty, AnImageWithoutNoiseMayBeEqualForAllSeeds) {
 }
 
 TEST(Honesty, SharedNoiseIsMeasured) {
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     // Half of the variance does not depend on the seed.
     const auto half = [&](std::uint32_t seed, int spp) {
-        Image a = render(size, size, seed, spp, Noise::pixel);
-        const Image b = render(size, size, 1234, spp, Noise::pixel);
+        Image a = render(side, side, seed, spp, Noise::pixel);
+        const Image b = render(side, side, 1234, spp, Noise::pixel);
         for (std::size_t i = 0; i < a.pixels(); ++i)
             a.mean[i] =
                 known.mean[i] + std::sqrt(0.5f) * (a.mean[i] + b.mean[i] - 2.0f * known.mean[i]);
@@ -220,16 +220,16 @@ TEST(Honesty, SharedNoiseIsMeasured) {
     Replicates r{16, {}, {}}, independent{16, {}, {}};
     for (std::uint32_t seed = 1; seed <= 16; ++seed) {
         r.add(half(seed, 16));
-        independent.add(render(size, size, seed, 16, Noise::pixel));
+        independent.add(render(side, side, seed, 16, Noise::pixel));
     }
     EXPECT_NEAR(check_honesty(r, known).replicate_correlation, 0.5, 0.05);
     EXPECT_NEAR(check_honesty(independent, known).replicate_correlation, 0, 0.02);
 }
 
 TEST(Honesty, VarianceIsComparedWithTheReferenceAndWithTwiceTheSamples) {
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
-    const Replicates first = replicates(size, size, 1, 16, Noise::pixel);
-    const Replicates second = replicates(size, size, 2, 32, Noise::pixel);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
+    const Replicates first = replicates(side, side, 1, 16, Noise::pixel);
+    const Replicates second = replicates(side, side, 2, 32, Noise::pixel);
     const Honesty honest = check_honesty(first, known, &second);
     EXPECT_NEAR(*honest.variance_ratio, 1, 0.1);
     EXPECT_NEAR(*honest.variance_fall, 2, 0.2);
@@ -237,21 +237,21 @@ TEST(Honesty, VarianceIsComparedWithTheReferenceAndWithTwiceTheSamples) {
     EXPECT_TRUE(honest.hints.empty());
 
     // Five times the samples are claimed as one: too little noise. A fifth: too much.
-    EXPECT_EQ(check_honesty(replicates(size, size, 3, 16 * 5, Noise::pixel), known).hints.size(),
+    EXPECT_EQ(check_honesty(replicates(side, side, 3, 16 * 5, Noise::pixel), known).hints.size(),
               0u);
-    Replicates cached = replicates(size, size, 3, 16 * 5, Noise::pixel),
-               lazy = replicates(size, size, 3, 3, Noise::pixel);
+    Replicates cached = replicates(side, side, 3, 16 * 5, Noise::pixel),
+               lazy = replicates(side, side, 3, 3, Noise::pixel);
     cached.spp = lazy.spp = 16;
     EXPECT_THAT(check_honesty(cached, known).hints.at(0), HasSubstr("denoised"));
     EXPECT_THAT(check_honesty(lazy, known).hints.at(0), HasSubstr("technique missing"));
-    EXPECT_GT(check_honesty(replicates(size, size, 5, 16, Noise::shared), known).tile_ratio, 4);
+    EXPECT_GT(check_honesty(replicates(side, side, 5, 16, Noise::shared), known).tile_ratio, 4);
 }
 
 TEST(Soundness, AnImageOfNanFails) {
-    const Image known = reference(size, size, 99, Noise::pixel, 16);
+    const Image known = reference(side, side, 99, Noise::pixel, 16);
     const auto r = judge_independent(
         [&](std::uint32_t seed, int spp) {
-            Image image = render(size, size, seed, spp, Noise::pixel);
+            Image image = render(side, side, seed, spp, Noise::pixel);
             image.mean.assign(image.pixels(), Vec3(std::numeric_limits<float>::quiet_NaN()));
             return image;
         },

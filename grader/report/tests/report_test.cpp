@@ -98,7 +98,7 @@ TEST(Report, CaptionsAreComputedFromTheData) {
 TEST(Report, MeasuresNothingItself) {
     Report report = some_report();
     report.entries.resize(1);
-    Measured& judged = *report.entries[0].verdict.measured;
+    Measures& judged = *report.entries[0].verdict.measured;
     judged.metrics.rel_error = 0.4321;
     judged.metrics.rel_mse = 0.0625;
     judged.z_map.z.assign(judged.z_map.z.size(), 3.25);

@@ -94,10 +94,6 @@ TEST(Task2_3, EachPathLeavesItsRecord) {
                  "records[pixel] = record");
 }
 
-bool same_bits(const Film& a, const Film& b) {
-    return std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
 TEST(Task2_4, TheLaunchDoesNotChangeTheImage) {
     const Scene scene = noisy(24, 1);
     const Film film = render(scene, {.threads = 1, .block_size = 128}, 2);

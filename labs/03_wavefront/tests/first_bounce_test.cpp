@@ -35,10 +35,6 @@ Film render(const Scene& scene, bool cache) {
     return renderer->film();
 }
 
-bool same_bits(const Film& a, const Film& b) {
-    return std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
 TEST(Task3_4, TheCacheChangesNoBitWhereCameraRaysStayTheSame) {
     const Scene scene = ball(false);
     const auto why_not = no_cache(scene);

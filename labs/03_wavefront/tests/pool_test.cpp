@@ -29,11 +29,6 @@ Traced trace(const Scene& scene, const WavefrontSettings& wavefront = {}, int it
     return {renderer->film(), develop(*renderer, scene).ledger, renderer->records()};
 }
 
-bool same_bits(const Film& a, const Film& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) == 0;
-}
-
 // Inside a closed sphere that glows with radiance 1 and reflects a share a of what it gets.
 Scene furnace(double albedo, int depth, int width = 16, int height = 16) {
     return small_scene(

@@ -53,8 +53,7 @@ TEST(Task3_5, TheImageIsTheSameToTheBit) {
     const Scene scene = shapes(20);
     for (const int block : {32, 100, 512}) {
         const Film a = render(scene, false, block), b = render(scene, true, block);
-        expect(std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FilmPixel)) ==
-                   0,
+        expect(same_bits(a, b),
                fmt::format("with geometry in shared memory, blocks of {}, the image is another; "
                            "the likely cause: threads without a path must copy too",
                            block));

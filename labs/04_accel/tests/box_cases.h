@@ -40,18 +40,15 @@ struct BoxTree {
     }
 };
 
-inline float power(Dice& dice, int from, int to) {
-    return std::ldexp(1.0f, from + dice.below(to - from + 1));
-}
-
 // Boxes of all sizes, flat ones among them, around a place that may be far away.
 inline BoxTree any_boxes(int n, Dice& dice) {
     BoxTree made;
-    const float size = power(dice, -30, 30);
-    const Vec3 place = dice.below(2) ? dice.point(-size, size) * power(dice, 0, 20) : Vec3(0);
+    const float size = power_of_two(dice, -30, 30);
+    const Vec3 place =
+        dice.below(2) ? dice.point(-size, size) * power_of_two(dice, 0, 20) : Vec3(0);
     for (int i = 0; i < n; ++i) {
         Bounds box;
-        const float extent = size * power(dice, -12, 0);
+        const float extent = size * power_of_two(dice, -12, 0);
         const Vec3 p = place + dice.point(-size, size);
         box.include(p);
         box.include(p + dice.point(-extent, extent));

@@ -24,7 +24,7 @@ Ray ray_at(const Bounds& box, Dice& dice) {
     };
     const Vec3 target = place_in(), extent = box.high - box.low;
     const float size = max_component(extent) > 0 ? max_component(extent) : 1.0f;
-    const float away = size * power(dice, -10, 20);
+    const float away = size * power_of_two(dice, -10, 20);
     Vec3 o = dice.below(4) > 0 ? target + away * dice.direction() : place_in();
     for (int axis = 0; axis < 3; ++axis)
         if (dice.below(6) == 0) o[axis] = target[axis];
@@ -34,7 +34,7 @@ Ray ray_at(const Bounds& box, Dice& dice) {
         const int way = dice.below(12);
         if (way == 0) d[axis] = std::copysign(0.0f, d[axis]);
         if (way == 1) d[axis] = -0.0f;
-        if (way == 2) d[axis] *= power(dice, -120, -30);
+        if (way == 2) d[axis] *= power_of_two(dice, -120, -30);
     }
     if (!(dot(d, d) > 0)) d = dice.direction();
     d = normalize(d);

@@ -9,8 +9,6 @@ namespace raylab::lab04 {
 
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 // A ray ends just before, at, and just behind what it would hit.
 TEST(Boxes, RaysMayEndAtTheHit) {
     const BvhCase scene(soup(1000, 0.3f));

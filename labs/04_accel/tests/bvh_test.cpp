@@ -10,8 +10,6 @@ namespace raylab::lab04 {
 
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 TEST(Boxes, AccelBrute) {
     const int n = test::rays(1000, 100000);
     for (const auto& [what, triangles] : meshes()) {

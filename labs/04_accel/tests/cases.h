@@ -9,10 +9,13 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace raylab::lab04 {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // Random numbers, the same everywhere.
 class Dice {
@@ -36,6 +39,10 @@ class Dice {
     std::uint32_t next() { return pcg4d({seed_, ++count_, 4, 4}).x; }
     std::uint32_t seed_, count_ = 0;
 };
+
+inline float power_of_two(Dice& dice, int from, int to) {
+    return std::ldexp(1.0f, from + dice.below(to - from + 1));
+}
 
 // Triangles get ids in the order of adding, in steps: an id is not an index.
 inline void add(std::vector<Triangle>& triangles, Vec3 a, Vec3 b, Vec3 c) {

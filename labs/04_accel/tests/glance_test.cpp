@@ -11,23 +11,19 @@ namespace raylab::lab04 {
 
 namespace {
 
-float power(Dice& dice, int from, int to) {
-    return std::ldexp(1.0f, from + dice.below(to - from + 1));
-}
-
 // Of any size and shape: needles, corners next to each other, in a plane of the axes, far from the
 // origin in comparison with its size.
 Triangle any_triangle(Dice& dice) {
-    const float size = power(dice, -20, 0);
+    const float size = power_of_two(dice, -20, 0);
     const Vec3 place = dice.below(2) ? dice.point(-1, 1) : Vec3(0);
     Vec3 v[3];
     for (Vec3& corner : v) corner = dice.point(-size, size);
     switch (dice.below(4)) {
     case 0: // a needle
-        v[2] = glm::mix(v[0], v[1], dice.between(0, 1)) + power(dice, -24, 0) * v[2];
+        v[2] = glm::mix(v[0], v[1], dice.between(0, 1)) + power_of_two(dice, -24, 0) * v[2];
         break;
     case 1: // a short edge
-        v[2] = v[1] + power(dice, -24, 0) * v[2];
+        v[2] = v[1] + power_of_two(dice, -24, 0) * v[2];
         break;
     case 2: // across an axis
         v[0].z = v[1].z = v[2].z;
@@ -43,7 +39,7 @@ Ray ray_at(const Triangle& triangle, Dice& dice) {
     const Vec3 &a = triangle.v[0], &b = triangle.v[1], &c = triangle.v[2];
     const float along[] = {0, 1, dice.between(0, 1)}, inwards[] = {0, 0, dice.between(-0.5f, 1)};
     const Vec3 target = glm::mix(glm::mix(a, b, along[dice.below(3)]), c, inwards[dice.below(3)]);
-    const Vec3 o = target + power(dice, -20, 6) * dice.direction();
+    const Vec3 o = target + power_of_two(dice, -20, 6) * dice.direction();
     const Vec3 way = target - o;
     return {o, dot(way, way) > 0 ? normalize(way) : dice.direction()};
 }
@@ -77,7 +73,7 @@ Verdict judge(int rays, auto... errors) {
         std::vector<Triangle> triangles;
         for (int k = 0; k < triangles_per_pack; ++k) triangles.push_back(any_triangle(dice));
         Ray ray = ray_at(triangles[dice.below(triangles_per_pack)], dice);
-        const float scale = power(dice, -30, 30);
+        const float scale = power_of_two(dice, -30, 30);
         for (Triangle& triangle : triangles)
             for (Vec3& v : triangle.v) v *= scale;
         ray.o *= scale;

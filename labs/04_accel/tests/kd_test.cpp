@@ -10,8 +10,6 @@ namespace raylab::lab04 {
 
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 void expect_equal_to_brute_force(const KdCase& scene, const std::vector<Ray>& rays,
                                  const std::string& what) {
     for (const KdWalk kind : kd_walks) EXPECT_EQ(difference(scene, kind, rays), "") << what;
