@@ -67,7 +67,7 @@ class MemoryIn : public Imf::IStream {
 };
 
 // Where OpenEXR finds channel c of an array of Vec3 that starts at pixel (0, 0) = `origin`.
-Imf::Slice slice(const Vec3* pixels, int c, int width, Imath::V2i origin) {
+Imf::Slice slice(const Vec3* pixels, int c, int width, const Imath::V2i& origin) {
     const std::ptrdiff_t before =
         (std::ptrdiff_t(origin.y) * width + origin.x) * std::ptrdiff_t(sizeof(Vec3));
     char* base = reinterpret_cast<char*>(const_cast<Vec3*>(pixels)) +

@@ -15,7 +15,7 @@ std::optional<MeshCamera> read_gltf_camera(const Node& root, const Node& node,
     if (index->integer() < 0 || index->integer() >= int(cameras.size()))
         index->fail(fmt::format("camera {} does not exist; the file has {}", index->integer(),
                                 cameras.size()));
-    const Node camera = cameras[std::size_t(index->integer())];
+    const Node& camera = cameras[std::size_t(index->integer())];
     if (camera.at("type").word({"perspective", "orthographic"}) == "orthographic") {
         losses.add("orthographic cameras", "node");
         return std::nullopt;

@@ -19,7 +19,7 @@ std::optional<MeshLight> read_gltf_light(const Node& root, const Node& node,
     if (index.integer() < 0 || index.integer() >= int(lights.size()))
         index.fail(fmt::format("light {} does not exist; the file has {}", index.integer(),
                                lights.size()));
-    const Node light = lights[std::size_t(index.integer())];
+    const Node& light = lights[std::size_t(index.integer())];
     const std::string type = light.at("type").word({"point", "spot", "directional"});
     if (type != "point") {
         losses.add(type + " lights", "node");

@@ -93,7 +93,8 @@ Honesty check_honesty(const Replicates& first, const Image& reference, const Rep
         equal = equal && images[r].mean == images[r + 1].mean;
         if (r % 2 == 0) correlation += noise_correlation(images[r], images[r + 1], reference);
     }
-    result.replicate_correlation = correlation / double(images.size() / 2);
+    const std::size_t pairs = images.size() / 2;
+    result.replicate_correlation = correlation / double(pairs);
     result.seed_ignored = equal && is_noisy(reference);
     if (!result.seed_ignored && result.replicate_correlation > 0.3)
         result.hints.push_back(fmt::format(

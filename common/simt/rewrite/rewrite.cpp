@@ -93,7 +93,7 @@ class Rewriter {
                 if (!operand_before) return i; // (expression)<<<
                 continue;                      // f(...)<<< or table[...]<<<
             }
-            if (is(last, ">")) i = last = template_arguments(last), --last;
+            if (is(last, ">")) last = template_arguments(last) - 1;
             if (last >= tokens_.size() || !is_name(last))
                 fail(end, "there is no kernel before <<<");
             i = last;

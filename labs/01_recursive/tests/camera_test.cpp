@@ -71,7 +71,8 @@ TEST(Task1_1, AllRaysOfAPointMeetInThePlaneInFocus) {
     const Vec3 expected = camera.position + 4.0f * Vec3(0.625f, 0.125f, -1);
     float leftmost = 0, rightmost = 0, lowest = 0, highest = 0;
     for (int i = 0; i < 64; ++i) {
-        const Vec2 u_lens((i % 8 + 0.5f) / 8, (i / 8 + 0.5f) / 8);
+        const int column = i % 8, row = i / 8;
+        const Vec2 u_lens((column + 0.5f) / 8, (row + 0.5f) / 8);
         const Ray ray = camera_ray(camera, 6, 1, Vec2(0.5f), u_lens);
         const Vec3 from_centre = ray.o - camera.position;
         if (!expect_near("distance of a ray's origin from the lens's plane", from_centre.z, 0, 1e-6,

@@ -16,7 +16,8 @@ TEST(Task1_5, DirectionsThinOutAsTheCosine) {
     constexpr int n = 128;
     double z = 0, x = 0, y = 0, x2 = 0, upper = 0;
     for (int i = 0; i < n * n; ++i) {
-        const Vec3 w = sample_cosine(Vec2((i % n + 0.5f) / n, (i / n + 0.5f) / n));
+        const int column = i % n, row = i / n;
+        const Vec3 w = sample_cosine(Vec2((column + 0.5f) / n, (row + 0.5f) / n));
         if (!expect_near("length of a direction", length(w), 1, 1e-5,
                          "the point of the disk is lifted by sqrt(1 - r^2)") ||
             !expect(w.z >= 0, "a direction points below the surface; the likely cause: z is "
