@@ -1,6 +1,7 @@
 // Launches, options and the error state; see machine.h and launch.h.
 #include "common/simt/engine/machine.h"
 
+#include "common/simt/engine/findings.h"
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/workers.h"
@@ -38,6 +39,7 @@ Machine& machine() {
 void note(cudaError_t code, const std::string& report) {
     machine().last_error = code;
     machine().report = report;
+    record(finding_of_report(report));
     if (machine().options.print_reports) std::fputs((report + "\n").c_str(), stderr);
 }
 
@@ -174,6 +176,8 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
     std::lock_guard lock(machine().launching);
     if (!machine().workers)
         machine().workers = std::make_unique<Workers>(machine().options, worker_count());
+    const dim3 &grid = launch.grid, &block = launch.block;
+    count_launch(uint64_t(grid.x) * grid.y * grid.z * block.x * block.y * block.z);
     auto finished = std::make_unique<char>();
     DeviceAccess access;
     std::string fault = machine().workers->run({launch, thread_main, arguments, finished.get()});

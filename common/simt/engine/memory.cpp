@@ -3,6 +3,7 @@
 #include "common/simt/engine/memory.h"
 
 #include "common/simt/engine/block.h"
+#include "common/simt/engine/findings.h"
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/report.h"
 
@@ -122,7 +123,10 @@ cudaError_t allocate(void** pointer, size_t bytes, MemoryKind kind, const Where&
     if (sticky_error() != cudaSuccess) return sticky_error();
     if (bytes == 0) return cudaSuccess;
     *pointer = memory().allocate(bytes, kind, where);
-    if (*pointer) return cudaSuccess;
+    if (*pointer) {
+        count_allocation(bytes);
+        return cudaSuccess;
+    }
     return refuse(cudaErrorMemoryAllocation,
                   place(where) + ": error: no memory for " + std::to_string(bytes) + " bytes");
 }
