@@ -49,7 +49,7 @@ void check_peers(const std::vector<std::string>& peers) {
                 fmt::format("there is no peer '{}'; the peers are {}", name, joined(known, ", ")));
 }
 
-// Sorted and checked before anything is rendered.
+// Sorts and checks the options before anything is rendered.
 void check_options(BenchOptions& options) {
     std::vector<int>& spp = options.plan.spp;
     std::sort(spp.begin(), spp.end());
@@ -79,7 +79,7 @@ void check_options(BenchOptions& options) {
     options.peer.folder = options.folder + "/peers";
 }
 
-// The reference if it is of this scene and film, else nothing and the reason.
+// The reference if it was made of this scene and film; else nothing, and `why_not` says the reason.
 std::optional<Image> reference_for(const Scene& scene, std::string& why_not) {
     try {
         Image reference = load_reference(scene);
@@ -94,7 +94,7 @@ std::optional<Image> reference_for(const Scene& scene, std::string& why_not) {
     return {};
 }
 
-// Labs first, then peers; who cannot take part becomes a row that says why.
+// Labs first, then peers. A peer that cannot take part becomes a row in `absent` that says why.
 std::vector<Contestant> contestants_for(const BenchOptions& options, const Scene& scene,
                                         std::vector<Row>& absent) {
     std::vector<Contestant> result;
@@ -174,7 +174,7 @@ ExitCode run_bench(BenchOptions options) try {
     std::optional<nlohmann::json> other;
     if (!options.against.empty()) other = parse_bench(read_file(options.against), options.against);
     const SceneChanges changes = film_size(options.size);
-    std::vector<Scene> scenes; // all loaded before the first is rendered
+    std::vector<Scene> scenes; // all are loaded before the first is rendered
     for (const std::string& name : options.scenes)
         scenes.push_back(load_changed_scene(name, changes));
 
@@ -183,7 +183,7 @@ ExitCode run_bench(BenchOptions options) try {
     bench.command = command_line(options);
     bench.options = {options.plan, options.baseline, options.target};
     bench.threads = options.machine.threads;
-    std::mutex mutex; // of what is finished
+    std::mutex mutex; // guards the results that are finished
     const auto work = [&] {
         for (const Scene& scene : scenes) {
             SceneResult result = bench_scene(options, bench.options, scene);
@@ -216,7 +216,7 @@ ExitCode run_bench(BenchOptions options) try {
                                                nlohmann::ordered_json::error_handler_t::replace));
     else
         print(bench, options.folder);
-    bool measured = true; // a scene on which nobody ran is no result
+    bool measured = true; // false if a scene has no contestant that ran
     for (const SceneResult& scene : bench.scenes) {
         bool ran = false;
         for (const Row& row : scene.rows) {

@@ -6,9 +6,9 @@
 
 namespace raylab::app {
 
-// Renders in this process. Its bytes are what the heap grew by: film, records, paths and the
-// renderer's copy of the scene, on the CPU machine also what is device memory on a GPU. The scene
-// must outlive the contestant.
+// The contestant renders in this process. Its `bytes` are the growth of the heap: the film, the
+// records, the paths and the renderer's copy of the scene; on the CPU machine also the arrays that
+// lie in device memory on a GPU. The scene must outlive the contestant.
 bench::Contestant lab_contestant(const Lab& lab, const Scene& scene,
                                  const MachineSettings& machine);
 

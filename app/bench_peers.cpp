@@ -21,7 +21,7 @@ using bench::ContestantError;
 struct Peer {
     const char* name;
     std::string PeerSettings::*program;
-    std::vector<std::string> version; // arguments that make it say who it is, in its first line
+    std::vector<std::string> version; // arguments that make it print its version in the first line
     std::vector<ExportedFile> (*export_scene)(const Scene&);
     // Arguments of one render.
     std::vector<std::string> (*render)(const PeerSettings& settings, int spp, std::uint32_t seed,
@@ -92,7 +92,8 @@ const std::vector<Peer>& peers() {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// Which version answers, or why none does.
+// The first line that the program prints about its version. Throws ContestantError if it does not
+// run.
 std::string ask_version(const Peer& peer, const PeerSettings& settings) {
     std::vector<std::string> command = {settings.*peer.program};
     command.insert(command.end(), peer.version.begin(), peer.version.end());

@@ -97,7 +97,7 @@ RayMesh load(const std::string& name, const RaysOptions& options) {
     return mesh;
 }
 
-// Sorted and checked before anything is built.
+// Sorts and checks the options before anything is built.
 void check_options(RaysOptions& options) {
     std::vector<std::string> kind_names;
     for (const RayKind kind : all_ray_kinds) kind_names.push_back(name_of(kind));
@@ -120,7 +120,7 @@ void check_options(RaysOptions& options) {
     if (options.meshes.empty()) options.meshes = default_meshes;
 }
 
-// Those that are here; of the others a note.
+// The contestants that are present. For each one that is absent, a note is added to the bench.
 std::vector<RayContestant> contestants_for(RaysOptions& options, RaysBench& bench) {
     std::vector<RayContestant> result;
     for (const std::string& name : options.structures) try {
@@ -181,11 +181,12 @@ ExitCode run_bench_rays(RaysOptions options) try {
     bench.command = command_line(options);
     bench.options = options.race;
     bench.scaling = options.scaling;
-    // All are loaded before the first is traced, unless they are a program's and many.
+    // All meshes are loaded before the first is traced. With --scaling each is made in its turn,
+    // since all of them together may not fit in memory.
     std::map<std::string, RayMesh> loaded;
     if (options.scaling.empty())
         for (const std::string& name : options.meshes) loaded[name] = load(name, options);
-    std::mutex mutex; // of what is finished
+    std::mutex mutex; // guards the results that are finished
     const auto work = [&] {
         for (const std::string& name : options.meshes) {
             RayMesh mesh = options.scaling.empty() ? loaded.at(name) : load(name, options);

@@ -74,7 +74,7 @@ std::string side_name(const std::vector<std::string>& paths) {
     return paths.size() == 1 ? paths[0] : fmt::format("{} and {} more", paths[0], paths.size() - 1);
 }
 
-// The two side by side, their difference and the z-map, on one page.
+// Writes one page: the two images side by side, their difference and the z-map.
 void write_page(const CompareCommand& command, const Comparison& comparison) {
     const Image &a = comparison.mean_a, &b = comparison.mean_b;
     const std::string title = side_name(command.images) + " against " + side_name(command.with);

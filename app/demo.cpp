@@ -81,7 +81,7 @@ void print_row(const JudgedScene& judged) {
         fmt::print("       {}\n", judged.same_paths->verdict.sentence);
 }
 
-// What is finished of the demo.
+// The results that the demo has finished so far.
 struct Finished {
     std::mutex mutex;
     Report report;

@@ -19,8 +19,8 @@ DVec3 region_mean(const Image& image, std::array<int, 4> region) {
 
 } // namespace
 
-// Within the stated tolerance plus four standard errors: a right renderer fails once in 16,000
-// checks.
+// A measured value may differ by the stated tolerance plus four standard errors. So a right
+// renderer fails one check in 16,000.
 ExpectationResult check_expectation(const Expectation& expectation,
                                     const std::vector<Image>& replicates) {
     const double n = static_cast<double>(replicates.size());

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 json triple(Vec3 v) { return {v.x, v.y, v.z}; }
 
-// One sentence for each thing that the export does not know.
+// Throws UsageError with one sentence for a scene that has something the export does not know.
 void check_known(const Scene& scene) {
     if (scene.render.integrator != Integrator::path)
         refuse("it follows whole paths; use --integrator path");
@@ -68,7 +68,8 @@ struct Faces {
     }
 };
 
-// Blender sees nothing nearer than the one and nothing farther than the other.
+// The near and the far clip distance of Blender's camera: it draws nothing nearer than the first
+// and nothing farther away than the second.
 json clip_distances(const Scene& scene) {
     float reach = 0;
     const auto reach_to = [&](Vec3 p, float r) {
@@ -122,7 +123,8 @@ json scene_json(const Scene& scene) {
 
 std::vector<ExportedFile> blender_files(const Scene& scene) {
     check_known(scene);
-    // A JSON string without the escapes that Python reads otherwise: names are ASCII-escaped.
+    // Python reads some JSON escapes in another way. The names have none of these: all characters
+    // beyond ASCII are escaped here.
     const std::string data = scene_json(scene).dump(-1, ' ', true);
     const std::string quoted = json(data).dump();
     return {{"scene.py", fmt::format("# Written by raylab export; the scene's hash is {}.\n"

@@ -2,11 +2,11 @@
 // file that Blender runs: `blender -b --python scene.py -- --spp 64 -o image.exr`. It holds the
 // scene and the code that builds it (export_blender.py).
 //
-// Same camera, box pixel filter, same number of scattering events, linear EXR without denoiser,
-// clamp or light threshold. Where the two differ, and what is done about it:
-//   spheres    Cycles has triangles only: a sphere becomes 81,920 of them with smooth normals,
-//   whose
-//              corners lie on it and whose faces lie 4e-5 of the radius inside.
+// The export keeps the camera, the box pixel filter and the number of scattering events. Cycles
+// writes a linear EXR without denoiser, clamp or light threshold. Where the two renderers differ,
+// and what the export does about it:
+//   spheres    Cycles has triangles only. A sphere becomes 81,920 triangles with smooth normals.
+//              Their corners lie on the sphere, their faces up to 4e-5 radius inside.
 //   depth      max_depth surfaces are max_depth - 2 of Cycles' bounces: the first surface is no
 //              bounce, and the last is the light's.
 // Refused: everything but quads, flat triangles and spheres of diffuse, mirror, clear glass and

@@ -21,8 +21,8 @@ namespace {
 
 using namespace mitsuba;
 
-// Both faces of a light are this part of its size apart: far above float's resolution, far below
-// what shows in an image.
+// The distance between the two faces of a light, as a part of its size: far above the resolution of
+// float, and far too small to be seen in an image.
 constexpr float gap_of_size = 1e-4f;
 constexpr int plane_levels = 8; // the largest square of a plane is 4^8 times the scene
 
@@ -55,7 +55,7 @@ class MitsubaWriter {
         text_ += fmt::format(format, std::forward<Args>(args)...) + '\n';
     }
 
-    // Half the side of a box around the camera that holds all that is finite.
+    // Half the side of a box around the camera that holds all shapes of finite size.
     float extent() const {
         const Vec3 center = scene_.camera.position;
         float reach = scene_.camera.focus_distance;
@@ -72,7 +72,8 @@ class MitsubaWriter {
         return reach > 0 ? reach : 1;
     }
 
-    // Both count depth alike: 1 is what the camera sees glow. rr_depth 4: from the fourth surface.
+    // Mitsuba counts depth as raylab does: depth 1 shows only what the camera sees glow. rr_depth
+    // 4: roulette begins at the fourth surface.
     void write_integrator() {
         const int depth = scene_.render.max_depth;
         line("<integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/>"
@@ -105,7 +106,7 @@ class MitsubaWriter {
         materials_at_ = text_.size();
     }
 
-    // A shape of one material; `content` tells the rest.
+    // A shape of one material; `content`: the elements inside the shape's element.
     void write_shape(const char* type, int material, const std::string& content) {
         used_.insert(material);
         const Vec3 emission = scene_.materials[material].emission;
@@ -118,7 +119,7 @@ class MitsubaWriter {
     void write_mesh(const PlyMesh& mesh, int material) {
         const std::string file = fmt::format("mesh_{}.ply", meshes_++);
         files_.push_back({file, encode_ply(mesh)});
-        // Images begin with their top row there: v is turned over.
+        // In Mitsuba an image begins with its top row, so v is turned over.
         write_shape("ply", material,
                     fmt::format("<string name=\"filename\" value=\"{}\"/>"
                                 "<boolean name=\"face_normals\" value=\"{}\"/>"

@@ -7,8 +7,8 @@
 //   maps        the sky is piecewise constant here and interpolated there: it is written 8 x 32
 //               times as fine, with the edges of our texels half way up the ramps. What is left
 //               shows along a bright edge seen directly (2 % of a pixel row, where 8 x 8 gave 8 %).
-//   glass       there radiance is divided by eta^2 on entering. Out again it is the same, but a
-//               light inside glass would differ.
+//   glass       Mitsuba divides radiance by eta^2 where it enters glass and multiplies where it
+//               leaves. So images are the same, except for a light inside glass.
 // Refused: Phong (Mitsuba 3 has none), Schlick's approximation, the whitted integrator, glowing
 // surfaces with shading normals.
 #pragma once
@@ -21,7 +21,8 @@ struct ExportedFile {
     std::string name, bytes;
 };
 
-// scene.xml and what it names. Throws UsageError with one sentence about what Mitsuba cannot say.
+// scene.xml and the files that it names. Throws UsageError with one sentence about what Mitsuba
+// cannot express.
 std::vector<ExportedFile> mitsuba_files(const Scene& scene);
 
 } // namespace raylab::app

@@ -23,12 +23,13 @@ struct PlyMesh {
     // Its corners with their shading normals, all turned to the side of the geometric one.
     void add(const Triangle& triangle, const TriangleCorners& corners);
 
-    // The same faces seen from behind, `gap` (world units) behind these along each face's normal.
-    // Flat meshes whose faces share no vertex with a face of another normal: what add() makes.
+    // The same faces seen from behind, each moved by `gap` (world units) against its normal. For
+    // flat meshes in which no two faces with different normals share a vertex: add(Quad) and
+    // add(Triangle) make such meshes.
     PlyMesh back(float gap) const;
 };
 
-// ASCII, each number with as many digits as make it the same float again.
+// ASCII. Each number has enough digits that reading it gives the same float.
 std::string encode_ply(const PlyMesh& mesh);
 
 } // namespace raylab::app

@@ -41,7 +41,8 @@ Bounds bounds_of(const Mesh& mesh) {
     return bounds;
 }
 
-// As a scene writes a material, or nothing where it cannot.
+// The material as the text of a scene file. Empty if a scene file cannot describe it: a material
+// with a picture, or glass that glows.
 std::string written(const MeshMaterial& mesh_material) {
     const Material& m = mesh_material.material;
     if (mesh_material.picture >= 0 || (is_clear(m) && is_emissive(m))) return "";
@@ -122,8 +123,8 @@ class Importer {
         double aspect = 4.0 / 3;
         std::string camera;
         if (mesh_.cameras.empty()) {
-            // From the front, glTF's +z, a little from the right and above: the ball around the
-            // bounding box touches the frame's edges.
+            // The camera looks from the front, glTF's +z, a little from the right and from above.
+            // The sphere around the bounding box touches the frame's edges.
             constexpr double vfov = 40;
             const DVec3 from = glm::normalize(DVec3(0.5, 0.4, 1));
             const double distance = size / 2 / std::sin(vfov / 2 * std::numbers::pi / 180);
@@ -133,7 +134,7 @@ class Importer {
         } else {
             const MeshCamera& own = mesh_.cameras.front();
             const DVec3 forward = glm::normalize(own.forward);
-            // A point before it, as far away as the middle of the scene.
+            // look_at is a point in front of the camera, as far away as the middle of the scene.
             const double depth = dot(center - own.position, forward);
             camera = camera_line(own.position, own.position + (depth > 0 ? depth : size) * forward,
                                  glm::normalize(own.up), own.vfov_deg);
@@ -159,7 +160,8 @@ class Importer {
                            array(position), array(look_at), array(up), float(vfov_deg));
     }
 
-    // One a line, and shape_materials_, which binds them to the file's.
+    // Returns the lines of the scene's materials, one for each. Also sets shape_materials_, the
+    // keys that bind these materials to the mesh file's.
     std::string write_materials() {
         std::set<int> used;
         for (const MeshTriangle& triangle : mesh_.triangles) used.insert(triangle.material);
@@ -170,7 +172,7 @@ class Importer {
                    "0.5]}\n    ";
         }
         const std::vector<std::string> keys = material_keys(mesh_);
-        std::map<std::string, std::vector<int>> parts; // of the file's materials, what they became
+        std::map<std::string, std::vector<int>> parts; // indices of what it became
         for (const int i : used) parts[keys[std::size_t(i)]].push_back(i);
         std::string materials, map;
         for (const auto& [key, indices] : parts) {

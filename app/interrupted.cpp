@@ -20,8 +20,8 @@ void end_interrupted(const std::function<void()>& keep) {
         status = static_cast<int>(report_exception());
     }
     std::fflush(nullptr);
-    end_without_leftovers(status); // what still runs holds on to objects: none may be destroyed
-    for (;;) pause();              // a child is being started: who does that ends the program
+    end_without_leftovers(status); // threads that still run use objects, so none may be destroyed
+    for (;;) pause(); // another thread is just starting a child; that thread ends the program
 }
 
 void say_interrupted(const std::string& rest) {

@@ -1,4 +1,4 @@
-// How a command that keeps its work ends when a signal came (common/cli/interrupt.h).
+// How a command ends after a signal, if it keeps its finished work (common/cli/interrupt.h).
 #pragma once
 
 #include <functional>
@@ -6,8 +6,8 @@
 
 namespace raylab::app {
 
-// Keeps what there is and ends the program with 128 + signal, whatever is still running; with 2 or
-// 3 and a sentence if keep() throws.
+// Calls keep() and ends the program with 128 + signal, even if threads still run. If keep() throws,
+// prints a sentence and ends the program with 2 or 3.
 [[noreturn]] void end_interrupted(const std::function<void()>& keep);
 
 // On standard error, "raylab: interrupted by SIGTERM" and the rest of that sentence: what was kept.

@@ -15,7 +15,7 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-// What is set aside while the render goes on.
+// The last copy of film and ledger that was made while the render goes on.
 class SetAside {
   public:
     explicit SetAside(const Scene& scene) : scene_(scene) {}
@@ -46,7 +46,7 @@ class SetAside {
 Render render_and_keep(const Lab& lab, const Scene& scene, const MachineSettings& machine, int spp,
                        const std::function<void(const Renderer&, int done)>& after_sample,
                        const std::function<void()>& tick) {
-    // All that the thread uses outlives this call: it may go on when it is given up.
+    // The thread may still run after this call has returned, so it shares or copies what it uses.
     const auto aside = std::make_shared<SetAside>(scene);
     const auto work = [aside, &lab, &scene, machine, spp, after_sample] {
         const std::unique_ptr<Renderer> renderer = lab.make(scene, machine);

@@ -1,5 +1,5 @@
-// The walks run on the host, ray after ray, as a processor runs them: what a kernel's launch and a
-// pool of rays cost is not in their time.
+// The walks run on the host, one ray after the other. So their time does not include launching
+// kernels or keeping a pool of rays.
 #include "app/lab04_rays.h"
 
 #include "labs/04_accel/walk_table.h"
@@ -81,13 +81,14 @@ template <class Walk> RayContestant contestant(const KnownStructure& structure) 
 
 } // namespace
 
-// From the slowest structure to the fastest. A walk through nodes of one kind takes part once: over
-// another structure of the same nodes only the fastest does. Brute force is the bench's own.
+// From the slowest structure to the fastest. If several structures have the same kind of nodes, all
+// walks take part over the first of them, and over the others only the fastest walk does. Brute
+// force is a contestant of the bench itself.
 std::vector<RayContestant> lab04_ray_contestants() {
     std::vector<RayContestant> all;
     std::set<std::type_index> seen;
     std::string last;
-    auto place = all.begin(); // of the next walk of the structure `last`
+    auto place = all.begin(); // the next walk of the structure `last` is inserted here
     for_each_walk([&]<class Walk>(const std::string& structure, Walk) {
         const bool fastest = structure != last, fresh = seen.insert(typeid(Walk)).second;
         if (structure == "none" || !(fastest || fresh)) return;

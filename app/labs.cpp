@@ -1,5 +1,5 @@
-// The labs, as the program knows them: the one place where they meet. A tree that is handed out has
-// one lab alone.
+// The list of labs that the program knows: the one place that includes all of them. A student's
+// tree has one lab alone.
 #include "app/labs.h"
 #if __has_include("labs/01_recursive/renderer.h")
 #include "labs/01_recursive/renderer.h"

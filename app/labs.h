@@ -14,7 +14,7 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// In order.
+// All labs, in the order of their numbers.
 const std::vector<Lab>& labs();
 
 // By number ("02", "2") or folder ("02_iterative"). Throws UsageError with the list of labs.

@@ -24,7 +24,8 @@ constexpr Command commands[] = {
     {"import", add_import},
 };
 
-// Parses and runs. Errors of parsing are 2; what a command throws is sorted out in main.
+// Parses the command line and runs the command. Errors of parsing return 2; main() handles what a
+// command throws.
 int run(int argc, char** argv) {
     CLI::App app("raylab: a teaching lab for parallel path tracing", "raylab");
     app.require_subcommand(1);

@@ -12,7 +12,7 @@ namespace raylab::app {
 namespace {
 
 constexpr std::uint64_t image_bytes = 2 * sizeof(Vec3); // mean and standard error
-constexpr std::uint64_t file_bytes = 3 * sizeof(Vec3);  // variance; noise, that is not compressed
+constexpr std::uint64_t file_bytes = 3 * sizeof(Vec3);  // variance; noise, which does not compress
 constexpr std::uint64_t program_bytes = 24 << 20;       // code, buffers of libraries
 constexpr std::uint64_t stack_bytes = 8 << 20; // of a thread: reserved, which `ulimit -v` counts
 

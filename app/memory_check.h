@@ -1,4 +1,4 @@
-// Whether there is memory for a render, told before it begins.
+// Checks, before a render begins, whether there is enough memory for it.
 #pragma once
 
 #include "app/labs.h"
@@ -6,8 +6,8 @@
 
 namespace raylab::app {
 
-// What a render takes beside the scene that is loaded already, at most: per pixel the lab's film,
-// the image that is made of it, and the file that is made of the image.
+// The most memory that a render takes, besides the scene, which is loaded already: for each pixel
+// the lab's film, the image that is made of the film, and the file that is made of the image.
 struct MemoryNeed {
     int width, height;
     std::uint64_t pixel_bytes, fixed_bytes;

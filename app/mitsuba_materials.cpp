@@ -14,7 +14,7 @@ std::string roughness(const Material& material) {
                        material.microfacets == Microfacets::ggx ? "ggx" : "beckmann");
 }
 
-// Nothing for the default.
+// The element that sets the wrap mode; empty for Mitsuba's default.
 std::string wrap_mode(Wrap wrap) {
     if (wrap == Wrap::repeat) return "";
     return fmt::format("<string name=\"wrap_mode\" value=\"{}\"/>",
@@ -27,8 +27,8 @@ std::string id(const Scene& scene, int material) {
     return fmt::format("{}_{}", material, escaped(scene.material_names[material]));
 }
 
-// What replaces `name` in a BSDF: the material's reflectance or its texture, texels as they
-// are.
+// The element that gives a BSDF its parameter `name`: the material's reflectance, or its texture,
+// whose texels are written unchanged.
 std::string Materials::reflectance(const Material& material, const char* name) {
     if (material.texture < 0) return rgb(name, material.reflectance);
     const std::string file = fmt::format("texture_{}.pfm", material.texture);

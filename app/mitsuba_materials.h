@@ -7,16 +7,16 @@
 
 namespace raylab::app::mitsuba {
 
-// What other elements call the material.
+// The name by which other elements refer to the material.
 std::string id(const Scene& scene, int material);
 
 class Materials {
   public:
-    // Textures are added to the files.
+    // bsdf() adds the textures that it uses to `files`.
     Materials(const Scene& scene, std::vector<ExportedFile>& files)
         : scene_(scene), files_(files) {}
 
-    // The element that defines the material. Throws UsageError: Mitsuba has no such material.
+    // The element that defines the material. Throws UsageError if Mitsuba has no such material.
     std::string bsdf(int material);
 
   private:

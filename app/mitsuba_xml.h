@@ -37,7 +37,7 @@ inline std::string point(const char* name, Vec3 p) {
     return fmt::format("<point name=\"{}\" x=\"{}\" y=\"{}\" z=\"{}\"/>", name, p.x, p.y, p.z);
 }
 
-// The frame whose axes are x, y, z and whose origin is o, to the world.
+// The transform to the world from the frame whose axes are x, y, z and whose origin is o.
 inline std::string to_world(Vec3 x, Vec3 y, Vec3 z, Vec3 o) {
     return fmt::format("<transform name=\"to_world\"><matrix value=\"{} {} {} {} {} {} {} {} "
                        "{} {} {} {} 0 0 0 1\"/></transform>",

@@ -1,4 +1,5 @@
-// raylab bench-rays where it is not: it traces rays, which students of lab 01 write themselves.
+// Stands in for bench_rays.cpp in the tree of lab 01: bench-rays traces rays, and its students
+// write that code themselves.
 #include "app/commands.h"
 
 namespace raylab::app {

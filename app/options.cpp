@@ -26,7 +26,7 @@ const std::map<std::string, ScanKind> scans = {
 const std::map<std::string, MaterialSort> sorts = {
     {"off", MaterialSort::off}, {"on", MaterialSort::on}, {"queues", MaterialSort::queues}};
 
-// What the labs have to offer for one of AccelSettings, and "auto".
+// The names that the labs know for one member of AccelSettings, and "auto".
 std::set<std::string> accel_names(std::string AccelSettings::*which) {
     std::set<std::string> names = {AccelSettings{}.*which};
     for (const Lab& lab : labs())
@@ -45,7 +45,7 @@ int parse_compact(const std::string& text) {
     return error == std::errc() && stop == end && every >= 1 ? every : -1;
 }
 
-// An option that takes one of the names and stores what it stands for.
+// Adds an option that takes one of the names and stores the value that belongs to it.
 template <class T, class Target>
 void add_choice(CLI::App& app, const std::string& name, Target& target,
                 const std::map<std::string, T>& names, const std::string& help,

@@ -53,17 +53,17 @@ std::vector<RareCase> rare_cases() {
     };
 }
 
-// One of the three that take turns, and its times.
+// One of the three renderers that take turns, and its times.
 struct Contestant {
     std::unique_ptr<Renderer> renderer;
-    std::vector<double> seconds = {}; // a sample, of each round
+    std::vector<double> seconds = {}; // for each round, the time of a sample
     double time(int iterations) {
         const double before = renderer->ledger().seconds;
         add_samples(*renderer, iterations);
         seconds.push_back((renderer->ledger().seconds - before) / iterations);
         return seconds.back();
     }
-    // Of all but the first, which warms up.
+    // The median of all rounds but the first, which warms up.
     double median() const {
         std::vector<double> sorted(seconds.begin() + 1, seconds.end());
         std::sort(sorted.begin(), sorted.end());
@@ -71,7 +71,7 @@ struct Contestant {
     }
 };
 
-// Students' trees have one lab each.
+// False in students' trees, which have one lab each.
 bool has_megakernel() {
     return std::any_of(labs().begin(), labs().end(),
                        [](const Lab& lab) { return lab.number == "02"; });
@@ -111,7 +111,8 @@ RareCaseRow measure(const RareCase& shown, const MachineSettings& machine, int r
     Contestant without{find_lab("03").make(scene, off)}, with{find_lab("03").make(scene, on)};
     std::optional<Contestant> megakernel;
     if (has_megakernel()) megakernel = {find_lab("02").make(scene, machine)};
-    // One to warm up, then enough a round that it takes some hundredths of a second.
+    // One iteration warms up. After that a round has as many iterations as take some hundredths of
+    // a second.
     if (megakernel) megakernel->time(1);
     with.time(1);
     const int iterations = std::max(1, index_of(0.05 / without.time(1), 65));

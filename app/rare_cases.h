@@ -10,8 +10,8 @@
 
 namespace raylab::app {
 
-// Lab 02 and the two wavefronts take turns, `rounds` times, case by case; `show` gets each row when
-// it is there. Throws UsageError in a tree without lab 03.
+// Lab 02 and the two wavefronts take turns, `rounds` times, case by case. Calls `show` with each
+// row as soon as it is measured. Throws UsageError in a tree without lab 03.
 std::vector<bench::RareCaseRow>
 measure_rare_cases(const MachineSettings& machine, int rounds,
                    const std::function<void(const bench::RareCaseRow&)>& show);

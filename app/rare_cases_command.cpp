@@ -20,7 +20,7 @@ ExitCode run_rare_cases(const RareCaseOptions& options) {
         measure_rare_cases(options.machine, options.rounds, [&](const bench::RareCaseRow& row) {
             if (options.json) return;
             fmt::print("{}", to_table(row));
-            std::fflush(stdout); // an interrupt loses what a pipe has not got yet
+            std::fflush(stdout); // an interrupt would lose what is still in the buffer
         });
     if (options.json) fmt::print("{}\n", to_json(rows).dump(2));
     return ExitCode::success;

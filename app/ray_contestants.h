@@ -1,5 +1,5 @@
-// Who can take part in `raylab bench-rays`: the only place that brings structures of labs and peers
-// to it.
+// The contestants of `raylab bench-rays`: the only place that names structures of labs and of peers
+// together.
 #pragma once
 
 #include "grader/bench/rays/ray_contestant.h"
@@ -12,7 +12,7 @@ namespace raylab::app {
 // In the order in which they are shown.
 std::vector<std::string> ray_contestant_names();
 
-// One of these names. Throws ContestantError if it is not here.
+// The contestant of this name. Throws ContestantError if this build does not have it.
 bench::RayContestant ray_contestant(const std::string& name);
 
 } // namespace raylab::app

@@ -26,7 +26,7 @@ struct ReferenceOptions {
     MachineSettings machine;
 };
 
-// What is finished of a reference.
+// The replicates that are finished so far.
 struct Finished {
     std::mutex mutex;
     ImageMean mean;

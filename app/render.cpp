@@ -20,7 +20,7 @@ namespace raylab::app {
 
 namespace {
 
-constexpr std::uint64_t announced_bytes = 1 << 30; // needs below go without saying
+constexpr std::uint64_t announced_bytes = 1 << 30; // a smaller need is not printed
 
 struct RenderOptions {
     std::string lab, scene, output, stats;
@@ -49,7 +49,7 @@ void print_summary(const Ledger& ledger, const std::string& output) {
     fmt::print("wrote {}\n", output);
 }
 
-// The image, and what is said of it.
+// Writes the image and the ledger, and prints a summary.
 void write_render(const RenderOptions& options, const Render& render, const std::string& output) {
     write_image(render.image, output);
     if (!options.stats.empty()) write_file(options.stats, to_json(render.ledger) + "\n");
@@ -71,7 +71,7 @@ ExitCode run_render(const RenderOptions& options) {
     check_memory(need, available);
     if (!options.quiet && need.total() >= announced_bytes)
         fmt::print(stderr, "{} {}: {}\n", lab.number, scene.name, to_sentence(need, available));
-    // What would fail at the end fails now, before the work.
+    // A wrong file name is found now, and not after the render.
     prepare_image_output(output);
     if (!options.stats.empty()) prepare_output(options.stats);
     for (const int done : options.snapshots) prepare_image_output(snapshot_path(output, done));

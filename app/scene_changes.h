@@ -1,4 +1,4 @@
-// Changes to a scene's `render` and `film` blocks, as a command line or a test asks for them.
+// Changes to the objects `render` and `film` of a scene file, from a command line or a test.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -21,7 +21,7 @@ struct SceneChanges {
 SceneChanges film_size(const std::string& size);
 
 // Loads a scene by name or path and applies the changes; the result is validated again. Throws
-// SceneError for a scene that is wrong, UsageError for a change that is.
+// SceneError if the scene is wrong, UsageError if a change is.
 Scene load_changed_scene(const std::string& name, const SceneChanges& changes);
 
 } // namespace raylab::app

@@ -43,8 +43,9 @@ struct Snapshot {
     }
 };
 
-// Any other time is a change: a file put back from a copy has the copy's. For Ninja, which looks
-// for later times alone, such a file gets the time of now.
+// Waits until a file in the folder has another time than before. An older time is a change too: a
+// file that was copied back from a backup has the backup's time. Ninja builds again only what has a
+// later time, so such a file gets the present time.
 void wait_for_change(const fs::path& folder, const Snapshot& before) {
     Snapshot now(folder);
     for (; now.times == before.times; now = Snapshot(folder))

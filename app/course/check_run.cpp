@@ -21,7 +21,8 @@ namespace {
 constexpr double build_limit_seconds = 1800; // a first build, on a slow machine
 constexpr std::size_t shown_error_lines = 40;
 
-// What the compiler said, without ninja's lines and command lines; files as seen from the root.
+// The compiler's messages, without Ninja's lines and the command lines; file names are relative to
+// the root.
 std::string compiler_errors(const std::string& output, const fs::path& root) {
     std::istringstream lines(output);
     std::string errors;
@@ -47,7 +48,7 @@ class BuildProgress {
         const std::size_t line = output.rfind("\n[", output.size() - 1);
         const std::size_t at = line == output.npos ? 0 : line + 1;
         int done = 0, of = 0;
-        char close = 0; // not there yet: the line is not whole
+        char close = 0; // stays 0 if the line is not complete yet
         if (std::sscanf(output.c_str() + at, "[%d/%d%c", &done, &of, &close) != 3) return;
         if (!progress_) progress_.emplace("building", of, "files", 1);
         progress_->update(done);
@@ -65,9 +66,10 @@ ProcessResult build_target(const Tree& tree, const std::string& target) {
                         }});
 }
 
-// Whether what was said is about the lab's sources, and not about the machine that compiles them.
+// Whether the build failed because of the lab's sources, and not because of the machine that
+// compiles them.
 bool is_the_labs(const ProcessResult& build, const std::string& errors, const LabSheet& sheet) {
-    if (build.exit_code < 0) return false; // not started, out of time, ended by a signal
+    if (build.exit_code < 0) return false; // not started, too slow, or ended by a signal
     for (const char* machine : {"No space left on device", "internal compiler error",
                                 "Killed signal terminated", "annot allocate memory"})
         if (build.output.find(machine) != std::string::npos) return false;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// One way for a lab to be, and what its tests must say.
+// One state of a lab's sources, and what its tests must report in this state.
 struct State {
     std::string name;              // for people
     std::set<std::string> stubbed; // tasks
@@ -85,7 +85,7 @@ std::string objection(const State& state, const TaskResult& result) {
         return own && placed ? "" : "does not name its own stub";
     }
     if (result.verdict == Verdict::pass) return "";
-    // A test that needs a stubbed task cannot tell, and says so.
+    // A test that calls a stubbed task cannot judge its own task, and reports the stub.
     if (result.verdict == Verdict::not_implemented &&
         state.stubbed.contains(result.stubs.front().task))
         return "";
@@ -175,7 +175,8 @@ ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     if (labs.empty())
         throw std::runtime_error(
             fmt::format("{} has no lab: nothing was proved", tree.root.string()));
-    // CMake looks for the labs laid over when it configures: all must be there by then.
+    // CMake looks for the labs in the overlay when it configures, so all of them must be there
+    // before.
     const fs::path overlay = tree.root / "build/proof/overlay";
     const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};
     for (const std::string& lab : labs)

@@ -27,7 +27,8 @@ struct ReleaseOptions {
     bool no_build = false;
 };
 
-// One release at a time writes to a folder: it begins by removing what an interrupted one left.
+// Only one release at a time may write to a folder, because each begins by removing what an
+// interrupted one left there.
 class FolderLock {
   public:
     explicit FolderLock(const std::string& folder) {
@@ -49,8 +50,8 @@ class FolderLock {
     int handle_;
 };
 
-// Runs the tree's own ./raylab; nothing of this build reaches it. What ccache, if there is one, has
-// compiled for another release, in another folder, it need not compile again.
+// Runs the tree's own ./raylab; no file of this build takes part. If ccache is there, it reuses
+// what it compiled for another release in another folder.
 ProcessResult run_in_tree(const fs::path& tree, const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {
         "env",     "-u", "RAYLAB_PRESET", "CCACHE_NOHASHDIR=1", "CCACHE_BASEDIR=" + tree.string(),
@@ -59,7 +60,8 @@ ProcessResult run_in_tree(const fs::path& tree, const std::vector<std::string>& 
     return run_process(command, {step_limit_seconds, tree});
 }
 
-// In the tree as a student first meets it every task is NOT IMPLEMENTED, and says where.
+// In the tree as students first meet it every task is NOT IMPLEMENTED, and `check` says in which
+// file and line.
 void expect_stubs(const LabSheet& sheet, const fs::path& tree) {
     const ProcessResult check = run_in_tree(tree, {"check", sheet.number, "--json"});
     const std::size_t at = check.output.find('{');
@@ -100,7 +102,7 @@ void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
         throw CourseError(fmt::format("'{}' is there already: remove it, or name another folder "
                                       "with -o",
                                       target.string()));
-    fs::remove_all(part); // of a release that was interrupted
+    fs::remove_all(part); // left by a release that was interrupted
     fs::create_directories(part);
     const LabSources lab = read_lab_sources(sheet);
     const ReleasedTree tree = write_student_tree(lab, part);
@@ -118,7 +120,7 @@ void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
                    target.string());
         expect_stubs(sheet, part);
         expect_render(sheet, part);
-        fs::remove_all(part / "build"); // knows the temporary name
+        fs::remove_all(part / "build"); // it contains the path of the temporary folder
     }
     fs::rename(part, target);
     fmt::print("{}: {} files; none of {} lines of the solution; {}\n", target.string(), tree.files,
@@ -134,7 +136,7 @@ ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
     if (labs.empty())
         throw std::runtime_error(
             fmt::format("{} has no lab: nothing was released", tree.root.string()));
-    std::vector<LabSheet> sheets; // a mistake in any is found before the work begins
+    std::vector<LabSheet> sheets; // all are read before the first is released
     for (const std::string& lab : labs) sheets.push_back(find_lab(tree.root, lab));
     const FolderLock lock(options.folder);
     Progress progress("releasing", static_cast<int>(sheets.size()), "labs", 1);

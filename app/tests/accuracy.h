@@ -95,7 +95,8 @@ inline std::string diffuse(DVec3 albedo, DVec3 emission = DVec3(0)) {
 
 constexpr const char* white_sky = R"({"kind": "environment", "radiance": [1, 1, 1]})";
 
-// The members of a scene file that a test cares about. render: its block, beginning with max_depth.
+// The members of a scene file that a test cares about. render: the members of its `render` object,
+// beginning with max_depth.
 struct SceneText {
     std::string camera, materials, shapes, lights = "", render = R"("max_depth": 2)";
     int width = 8, height = 8;
@@ -117,7 +118,7 @@ inline Scene parse(const SceneText& t, const std::filesystem::path& where = "tes
 struct Traced {
     Film film;
     Ledger ledger;
-    std::vector<PathRecord> records; // all iterations' in a row, each pixel by pixel
+    std::vector<PathRecord> records; // iteration after iteration, pixel by pixel
 };
 
 inline Traced trace(const std::string& lab, const Scene& scene, int spp) {

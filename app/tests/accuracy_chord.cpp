@@ -99,7 +99,8 @@ TEST_P(EachLab, TheWalkIsTheLabsPath) {
 TEST_P(EachLab, FurnChordIsFourThirdsOfTheRadiusAtEverySize) {
     for (const double radius : {1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6}) {
         const Chords ours = chords(GetParam(), radius, count(1000, 20000), robust);
-        // Legs are independent: where on the sphere a path is does not enter.
+        // Legs are independent: the length of a leg does not depend on where on the sphere the path
+        // is.
         const double tolerance = 1e-3 + 4 * ours.relative.standard_error();
         figure("FURN-CHORD", GetParam(), fmt::format("R = {}: mean chord off, in parts", radius),
                std::fabs(ours.relative.mean() - 1), tolerance);

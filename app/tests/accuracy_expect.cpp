@@ -9,7 +9,8 @@ namespace {
 
 constexpr int replicates = 16;
 
-// Rays of one replicate. A scene's own spp is for a check in full; tolerances grow with the noise.
+// Rays of one replicate at the scene's present spp. The full check uses the scene's own spp; the
+// quick check halves it, and its tolerance grows with the noise.
 long long rays_of(const Scene& scene) {
     return 1ll * scene.camera.width * scene.camera.height * scene.render.spp *
            scene.render.max_depth;

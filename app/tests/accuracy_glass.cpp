@@ -100,8 +100,9 @@ TEST_P(EachLab, GlassFurnEveryPathThatGetsOutFindsOne) {
 
 // --- GLASS-FLOOR ------------------------------------------------------------------------------
 
-// A glass block on a black floor, a lamp below it: wherever the block stands in the file, light
-// does not pass the floor where block and floor are one plane. An opaque surface counts first.
+// A glass box on a black floor, a lamp below it. Box and floor are in one plane where they touch,
+// and no light may pass the floor there, wherever the box stands in the file: at equal t an opaque
+// surface counts before glass.
 TEST_P(EachLab, GlassOnAFloorLetsNothingThroughTheFloor) {
     const std::string block = box({-1, 0, -1}, {1, 0.7, 1}, "glass");
     const std::string floor = quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, "floor");

@@ -1,5 +1,5 @@
-// BOX-CORNER, TRI-EDGE, SELF-CONVEX, GAP-LEAK: closed is closed, and a ray leaves what it starts
-// on.
+// BOX-CORNER, TRI-EDGE, SELF-CONVEX, GAP-LEAK: no ray leaves a closed room, and no ray meets the
+// surface that it starts on.
 #include "app/tests/accuracy.h"
 #include "app/tests/icosphere.h"
 #include "common/load/transform.h"

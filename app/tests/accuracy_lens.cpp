@@ -83,8 +83,8 @@ TEST_P(EachLab, LensCocALensOfRadiusZeroIsAPinhole) {
 }
 
 // A lens of next to no size is next to a pinhole, wherever the scene lies: half of the view is a
-// wall that glows. As a difference of two positions, far from the origin, a ray's direction has
-// lost its digits: pixels are off by .013 in the mean at 2^20.
+// wall that glows. Far from the origin, a ray's direction that is computed as a difference of two
+// positions has lost its digits: pixels are off by .013 in the mean at 2^20.
 TEST_P(EachLab, LensCocATinyLensIsAPinholeFarFromTheOrigin) {
     for (const double x : {0.0, 0x1p16, 0x1p20}) {
         const auto film = [&](const std::string& lens) {

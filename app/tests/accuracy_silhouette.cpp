@@ -50,7 +50,8 @@ TEST_P(EachLab, DupCoplanarTheImageDoesNotDependOnTheOrderInMemory) {
         s.quad_groups = group_quads(s.quads);
         std::shuffle(s.planes.begin(), s.planes.end(), random);
         std::shuffle(s.triangles.begin(), s.triangles.end(), random);
-        s.runs.clear(); // boxes around any `triangles_in_run` of them, near or not
+        // Boxes around any `triangles_in_run` triangles, whether they lie close together or not.
+        s.runs.clear();
         const int n = static_cast<int>(s.triangles.size());
         for (int first = 0; first < n; first += triangles_in_run) {
             TriangleRun run{{}, first, std::min(triangles_in_run, n - first)};
@@ -64,7 +65,8 @@ TEST_P(EachLab, DupCoplanarTheImageDoesNotDependOnTheOrderInMemory) {
         figure("DUP-COPLANAR", GetParam(),
                fmt::format("shuffled, runs of {}: pixels that change", size),
                differing_pixels(trace(GetParam(), shuffled(size), 4).film, expected), 0);
-    // The naive rule, first come first seen, amounts to new ids.
+    // The naive rule takes the first hit in memory. Numbering the shuffled shapes anew has the same
+    // effect.
     Scene renumbered = shuffled(5);
     int id = 0;
     for (Sphere& s : renumbered.spheres) s.tags.id = id++;
@@ -110,8 +112,9 @@ TEST_P(EachLab, OrthoGridEveryPixelShowsItsOwnCube) {
            wrong(trace(GetParam(), scene, 16).film));
 }
 
-// Straight down, with components +0 and -0, on faces, edges and corners of cubes with gaps between:
-// what touches a closed cube meets its top at exactly the height of the origin.
+// Rays go straight down, with direction components +0 and -0, onto faces, edges and corners of
+// cubes with gaps between them. A cube is closed: a ray that touches it must hit its top, whose
+// distance is exactly the height of the ray's origin.
 TEST_P(EachLab, OrthoGridRaysInFacesMeetTheClosedCubes) {
     std::string shapes;
     for (int j = 0; j < cells; ++j)

@@ -49,8 +49,8 @@ const std::vector<std::pair<std::string, std::string>> opaque = {
                   "exponent": 10})"},
     {"metal", R"({"kind": "conductor", "eta": [1, 1, 1], "k": [3, 3, 3], "alpha": 0.4})"}};
 
-// A lamp behind a wall whose normals lie 64 degrees to the side: its front is seen, its shading
-// normal is not.
+// A lamp behind a wall whose shading normals lean 64 degrees to the side. The camera is in front of
+// the wall, but on the back side of the shading normals.
 TEST_P(EachLab, SmoothLeakALampBehindAWallStaysBehindIt) {
     for (const auto& [name, material] : opaque)
         for (const char* strategy : {"light", "bsdf", "mis"}) {
@@ -100,9 +100,9 @@ TEST_P(EachLab, SmoothLeakALampInAClosedMeshStaysInIt) {
 
 // --- SMOOTH-FURNACE ---------------------------------------------------------------------------
 
-// What even light all around leaves of a mesh that reflects everything: everything. Materials that
-// lose some are compared with the flat mesh: facets instead of normals between them. What rough
-// glass loses depends much on the angle, which normals tilted at random change.
+// Under even light a mesh that reflects everything looks as bright as the light, and so does its
+// smooth version. For materials that lose some light, the flat mesh is the truth. With tilted
+// normals rough glass is left out: its loss depends much on the angle, which the tilt changes.
 TEST_P(EachLab, SmoothFurnaceLosesNoEnergy) {
     const std::vector<std::pair<std::string, std::string>> materials = {
         {"diffuse", diffuse(DVec3(1))},

@@ -37,7 +37,7 @@ inline Traced trace(const std::string& lab, const Scene& scene, const MachineSet
     return traced;
 }
 
-// Where two renders part first, in words.
+// In words: the first place where two renders differ.
 inline std::string first_difference(const Traced& a, const Traced& b, int width) {
     for (std::size_t sample = 0; sample < a.records.size(); ++sample)
         for (std::size_t pixel = 0; pixel < a.records[sample].size(); ++pixel) {

@@ -12,7 +12,7 @@ namespace raylab::app {
 
 namespace {
 
-// Numbers that are the same everywhere.
+// Random numbers that are the same on every machine.
 class Dice {
   public:
     explicit Dice(std::uint32_t seed) : seed_(seed) {}
@@ -100,7 +100,7 @@ TEST(ManyShapes, NoStructureChangesABit) {
             EXPECT_EQ(first_difference(traced, expected, scene.camera.width), "") << accel;
             EXPECT_TRUE(same_bits(traced.film, expected.film)) << accel;
         }
-        scene.triangles.clear(), scene.runs.clear(); // nothing has walked before
+        scene.triangles.clear(), scene.runs.clear(); // so that no walk over triangles comes before
         EXPECT_TRUE(same_bits(trace("04", scene, {}, 1).film, trace("02", scene, {}, 1).film));
     }
 }

@@ -62,7 +62,7 @@ TEST_P(EveryScene, WavefrontLabHasTheBitsOfTheIterativeOne) {
           WavefrontSettings{.sort = MaterialSort::on, .pool = 90, .shuffle = 5, .regenerate = true},
           WavefrontSettings{.compact_every = 2, .sort = MaterialSort::queues, .pool = 77}})
         for (const int block : {32, 1000}) {
-            // One host thread: launches so small are not worth waking another.
+            // One host thread: the launches are so small that a second thread would not pay.
             const MachineSettings machine{
                 .threads = 1, .block_size = block, .wavefront = wavefront};
             const Traced traced = trace("03", scene, machine, 2);

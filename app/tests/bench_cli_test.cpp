@@ -31,7 +31,7 @@ class BenchCli : public Cli {
 })");
     }
 
-    // A program that is asked as Blender is: `-b ... -- --spp N --seed S --threads T -o F`.
+    // A script that takes Blender's arguments: `-b ... -- --spp N --seed S --threads T -o F`.
     std::string fake_blender(const std::string& render) const {
         write("blender", "#!/bin/sh\n[ \"$1\" = --version ] && echo Fake 1 && exit 0\n"
                          "while [ \"$1\" != -- ]; do shift; done\n"

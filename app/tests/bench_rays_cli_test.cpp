@@ -65,7 +65,7 @@ TEST_F(BenchRaysCli, ACameraLooksElsewhere) {
     EXPECT_EQ(hits("0.5,0.9,0.5,0.5,0,0.5"), 64);
 }
 
-// 0: no contestant's answers differ, the labs' not by a bit.
+// Exit code 0: all contestants give the same answers, those of the labs bit for bit.
 TEST_F(BenchRaysCli, AllStructuresAgree) {
     const Outcome outcome = raylab("bench-rays needles:200 city:300 --builds 1 --size 16x16 --rays "
                                    "primary,ao --verify 256 -o " +

@@ -188,7 +188,7 @@ TEST_F(Cli, CompareSaysWhatWouldDecide) {
     }
     EXPECT_EQ(compare(" " + in("b1.pfm") + " --exact").code, 1);
     EXPECT_EQ(compare(" --with " + in("b1.pfm") + " " + in("b2.pfm")).code, 0);
-    // Replicates are several, of one size, and differ.
+    // Replicates must be several images of one size that differ.
     EXPECT_EQ(compare("").code, 2);
     EXPECT_EQ(compare(" " + in("b1.pfm") + " " + in("b2.pfm")).code, 2);
     const Outcome same = compare(" --with " + in("b1.pfm") + " " + in("b1.pfm"));

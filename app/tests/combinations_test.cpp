@@ -29,7 +29,7 @@ constexpr std::array<std::size_t, 7> levels = {
     blocks.size(), shuffles.size(),    regenerates.size()};
 using Combination = std::array<std::size_t, levels.size()>; // a level of each
 
-// turn: workers and order take turns.
+// turn: number of the combination; it also chooses the number of threads and their order.
 MachineSettings settings_of(const Combination& c, std::size_t turn) {
     return {.threads = 1 + static_cast<int>(turn % 2),
             .block_size = blocks[c[4]],
@@ -74,7 +74,7 @@ std::vector<Pair> pairs_in(const Combination& c) {
     return pairs;
 }
 
-// Greedy: time and again the combination with most pairs that have not met yet.
+// Greedy: each step takes the combination with the most pairs that no earlier combination has.
 std::vector<Combination> pairwise_combinations() {
     const std::vector<Combination> all = all_combinations();
     std::set<Pair> left;

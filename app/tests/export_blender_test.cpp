@@ -1,5 +1,6 @@
-// What is written for Blender Cycles. That it draws the same picture is raylab bench's to show;
-// here: that it says what the scene says, and that nothing is left out silently.
+// What is written for Blender Cycles. `raylab bench` shows that Cycles draws the same picture from
+// it. These tests show that the file says what the scene says, and that nothing is left out
+// silently.
 #include "app/export_blender.h"
 #include "app/labs.h"
 #include "common/load/load.h"

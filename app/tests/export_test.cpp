@@ -1,6 +1,5 @@
-// What is written for Mitsuba. That Mitsuba draws the same picture from it is tools/cross_check's
-// to show; here: that what is written says what the scene says, and that nothing is left out
-// silently.
+// What is written for Mitsuba. tools/cross_check shows that Mitsuba draws the same picture from it.
+// These tests show that the files say what the scene says, and that nothing is left out silently.
 #include "app/export_mitsuba.h"
 #include "app/export_ply.h"
 #include "app/labs.h"
@@ -122,8 +121,9 @@ TEST(MitsubaExport, TheSkyIsTurned) {
     EXPECT_NEAR(m[10], half, 1e-6);
 }
 
-// The mean of the interpolated sky over one of our texels: its own radiance, and for a quarter of
-// the ramps above and below the neighbour's, which gets as much of its own back.
+// The mean of the interpolated sky over one texel of the map. It is the texel's own radiance,
+// except on the ramps to the neighbours above and below: each neighbour adds a quarter of a ramp
+// and takes as much.
 TEST(MitsubaExport, TheFineSkyKeepsEachTexelsLight) {
     Scene scene =
         parse_scene(scene_with(R"({"kind": "diffuse", "reflectance": [0, 0, 0]})"), "test.json");

@@ -1,4 +1,5 @@
-// Ctrl-C and its kin, as a person meets them: what was rendered is there, whole, and said.
+// Ctrl-C, SIGTERM and SIGHUP, as a person meets them: what was rendered is in a complete file, and
+// a sentence says so.
 #include "app/tests/cli.h"
 
 #include "common/cli/files.h"
@@ -20,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// A program that runs while the test goes on; what it says goes to a file.
+// A program that runs while the test goes on. Its output goes to a file.
 class Running {
   public:
     Running(const std::string& arguments, const std::string& output) : output_(output) {
@@ -101,7 +102,7 @@ TEST_F(InterruptCli, ARenderIsKeptWithTheSamplesItHas) {
             EXPECT_EQ(ledger["bounces"][0]["rays"], 64 * spp);
             expect_no_litter();
             if (signal != SIGINT) continue;
-            // Bit for bit what was asked for with that many samples.
+            // Compares, bit for bit, with a render that was asked for this number of samples.
             raylab(fmt::format("render {} {} -q --spp {} -o {}", lab, in("s.json"), spp,
                                in("whole.exr")));
             EXPECT_TRUE(read_file(in("o.exr")) == read_file(in("whole.exr"))) << lab;
@@ -116,7 +117,7 @@ TEST_F(InterruptCli, TimeoutThatSendsTwiceKeepsTheRenderToo) {
     EXPECT_TRUE(fs::exists(in("o.exr"))) << outcome.text;
 }
 
-// A sample that takes long is given up, and those before it are kept.
+// A sample that takes long is not waited for, and the samples before it are kept.
 TEST_F(InterruptCli, ALongSampleIsNotWaitedFor) {
     Running render("render 01 " + in("slow.json") +
                        " -q --threads 1 --width 220 --height 220 --spp 100 --snapshots 1 -o " +
@@ -172,7 +173,8 @@ TEST_F(InterruptCli, WhatCannotBeKeptIsSaid) {
     EXPECT_THAT(outcome.text, HasSubstr("there is no folder"));
 }
 
-// What is finished of other long work. When it is, the test cannot see: it waits longer and longer.
+// Other long commands keep their finished parts. The test cannot see when a part is finished, so it
+// waits longer at each try.
 class OtherInterrupts : public InterruptCli {
   protected:
     Outcome interrupted_when_some_is_finished(const std::string& arguments,

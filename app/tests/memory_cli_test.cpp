@@ -1,4 +1,5 @@
-// Short of memory: told before the work, with figures, and a sentence where it could not be known.
+// When memory is short, raylab says so before the work, with figures. Where it cannot know that
+// before, it ends with one sentence.
 #include "app/tests/cli.h"
 
 #include <gmock/gmock.h>
@@ -42,7 +43,7 @@ TEST_F(MemoryCli, AFilmThatDoesNotFitIsRefusedWithWhatWould) {
     }
 }
 
-// What is said to fit does.
+// The film size that the message names does render.
 TEST_F(MemoryCli, TheFilmThatWouldFitRenders) {
     for (const std::string lab : {"01", "02"}) {
         const std::string render =

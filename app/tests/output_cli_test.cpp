@@ -17,7 +17,8 @@ class OutputCli : public Cli {
         write("file", "a file, not a folder");
     }
 
-    // Work for hours: who finds a wrong name afterwards does not come back in time.
+    // A render that would take hours: if a wrong name were found only afterwards, the test would
+    // not end in time.
     std::string long_render(const std::string& more) const {
         return "render 01 " + in("s.json") + " --spp 1000000 " + more;
     }

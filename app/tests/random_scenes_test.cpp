@@ -41,7 +41,8 @@ class Generator {
                     .height = 9};
         if (!passive && below(5) == 0)
             t.render = R"("integrator": "whitted", "max_depth": )" + std::to_string(1 + below(7));
-        // Glowing spheres may not become planes, cameras may sit inside: whatever the loader takes.
+        // All that the loader takes is allowed, for instance a camera inside a shape. The loader
+        // refuses glowing spheres that would have to become planes.
         return parse(t);
     }
 

@@ -21,8 +21,9 @@ Camera with_lens(Camera camera) {
     return camera;
 }
 
-// What a renderer has after some iterations: film, records and ledger, but for seconds, and for
-// batches, which follow from the machine as the renderer before left it.
+// What a renderer has after some iterations: film, records and ledger. The ledger is compared
+// without its seconds and without its batches, which depend on what the previous renderer left in
+// the machine.
 struct State {
     Film film;
     std::vector<PathRecord> records;
@@ -152,9 +153,8 @@ TEST(Restart, ForgetsTheFirstBounce) {
     expect_same(draw(*renderer, scene, 0), before, "after the refusal");
 }
 
-// A structure that is built anew takes another time, if only by nanoseconds.
-// Two builds take different times, to the nanosecond, so a time that stays tells that nothing was
-// built again. That all structures take the same times twice does not happen.
+// Two builds of a structure rarely take the same time to the nanosecond, and two builds of all
+// structures never do. So if all build times stay the same, nothing was built again.
 TEST(Restart, KeepsTheStructure) {
     const Scene scene = small("gltf_object", 16, 5);
     std::vector<double> built, kept, anew;

@@ -52,19 +52,20 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
 
-// Its root is compiled in: from a copied build folder it would judge the tree it was copied from.
+// The path of its tree is compiled into the program. A copy in another folder would still judge the
+// first tree.
 TEST(Check, AProgramThatWasCopiedOrMovedJudgesNothing) {
     std::string folder = (fs::temp_directory_path() / "raylab copy-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
     const std::string copy = folder + "/raylab-check";
     fs::copy_file(RAYLAB_CHECK_PROGRAM, copy);
-    // Were it not refused, a lab that is not there would end it.
+    // If the copy were not refused, it would end with another message: there is no lab 09.
     for (const std::string command : {" check 09", " prove 09", " release --labs 09 -o /tmp"}) {
         const Outcome outcome = run_in_shell("'" + copy + "'" + command);
         EXPECT_EQ(outcome.code, 3) << outcome.text;
         EXPECT_NE(outcome.text.find("stands there no more"), std::string::npos) << outcome.text;
     }
-    // A link leads to the program where it is.
+    // A symbolic link is allowed: the program itself is still where it was built.
     fs::remove(copy);
     fs::create_symlink(RAYLAB_CHECK_PROGRAM, copy);
     EXPECT_EQ(run_in_shell("'" + copy + "' check 09").code, 2);
@@ -79,7 +80,7 @@ TEST(Check, TheSolutionsPass) {
 TEST(Release, OneTreeALab) {
     std::string folder = (fs::temp_directory_path() / "raylab-release-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    // In full each tree is built, checked and run: minutes.
+    // The full test builds, checks and runs each tree, which takes minutes.
     const std::string how = std::getenv("RAYLAB_LONG") ? "" : " --no-build";
     expect("release --labs 01,02 -o " + folder + how, 0, {"01_recursive", "none of "});
     EXPECT_TRUE(fs::exists(folder + "/01_recursive/raylab"));
