@@ -55,7 +55,7 @@ std::string explain(int error, const fs::path& path, bool makes_file) {
     }
 }
 
-// Errors that another name would mend are the person's, all others the machine's.
+// bad_usage if another file name avoids the error, tool_failed for all other errors.
 ExitCode code_of(int error) {
     switch (error) {
     case EACCES:
@@ -124,8 +124,8 @@ void write_directly(const fs::path& path, std::string_view bytes) {
 }
 
 struct Place {
-    fs::path path;  // where a symbolic link leads
-    bool is_device; // or a pipe: there, and no file
+    fs::path path;  // the name, or where it leads if it is a symbolic link
+    bool is_device; // a device or a pipe, which is written directly
 };
 
 Place place_of(const std::string& name) {
@@ -143,8 +143,9 @@ Place place_of(const std::string& name) {
     return {path, false};
 }
 
-// A new file beside `path`, under a name that nobody else has and that is short: `path` may have
-// the longest name there can be. It goes away with this object unless it was given its name.
+// A new file beside `path`, under a temporary name that nobody else uses. The name is short, since
+// `path` may have the longest name that is allowed. The destructor removes the file unless finish()
+// was called.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& path) : path_(path) {
@@ -167,7 +168,7 @@ class TemporaryFile {
 
     int get() const { return file_->get(); }
 
-    // Flushes it to the disk and gives it its name.
+    // Flushes the file to the disk and renames it to its final name.
     void finish() {
         if (::fsync(get()) != 0) fail_to_write(path_, errno);
         if (!file_->close()) fail_to_write(path_, errno);

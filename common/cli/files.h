@@ -23,8 +23,8 @@ struct FileError : std::runtime_error {
     ExitCode code;
 };
 
-// The same sentence for what std::filesystem throws: the boundary of the program calls it, for no
-// one can ask every call for an error code.
+// Turns an exception of std::filesystem into a FileError. Only the program's outermost handler
+// calls it, since not every call of std::filesystem can be asked for an error code instead.
 FileError file_error(const std::filesystem::filesystem_error& error);
 
 // Writes `bytes` as the whole content of `path`, replacing what was there. A symbolic link is

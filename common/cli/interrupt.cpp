@@ -1,4 +1,5 @@
-// The handler does what POSIX allows in one: atomics, clock_gettime, unlink, kill, _exit.
+// The signal handler uses only what POSIX allows there: atomics, clock_gettime, unlink, kill,
+// _exit.
 #include "common/cli/interrupt.h"
 
 #include "common/cli/leftovers.h"

@@ -8,7 +8,7 @@ namespace raylab {
 
 namespace {
 
-// More than are ever there at once; what finds no slot is left behind.
+// More than are ever in use at once. A file or a child that finds no free slot is not cleaned up.
 constexpr int slots = 16;
 std::atomic<const char*> files[slots];
 std::atomic<pid_t> children[slots];

@@ -9,7 +9,8 @@
 
 namespace raylab {
 
-// A file that has not yet its name. Removes nothing itself: that is for whoever made the file.
+// A file under its temporary name. This class only notes the name; whoever made the file removes
+// it.
 class UnfinishedFile {
   public:
     explicit UnfinishedFile(const char* path); // at most PATH_MAX bytes, or no file could have it
@@ -32,15 +33,15 @@ class RunningChild {
     RunningChild(const RunningChild&) = delete;
     RunningChild& operator=(const RunningChild&) = delete;
 
-    void started(pid_t child); // 0: it could not be. Call it once
+    void started(pid_t child); // 0: the child could not be started. Call once
 
   private:
     std::atomic<pid_t>* slot_ = nullptr;
 };
 
-// Removes the files, kills the children and ends the program at once; status: not 0. For signal
-// handlers too. Returns only while a child is being started: whoever does that then ends the
-// program.
+// Removes the files, kills the children and ends the program at once; status: not 0. A signal
+// handler may call it. Returns only while another thread is starting a child: that thread then ends
+// the program.
 void end_without_leftovers(int status);
 
 } // namespace raylab

@@ -34,7 +34,8 @@ std::uint64_t left(std::uint64_t limit, std::uint64_t used) {
     return limit > used ? limit - used : 0;
 }
 
-// What a control group leaves. Files that it has read count as used, and make room when need be.
+// The memory that a control group leaves. Cached files count as used, but the kernel gives their
+// memory back when a program needs it.
 Bytes left_by_group(const std::string& folder, const char* limit, const char* usage,
                     const char* file_pages) {
     const Bytes most = number_in(folder + limit), used = number_in(folder + usage);

@@ -16,8 +16,9 @@ struct AvailableMemory {
 // /proc and /sys are: for tests.
 AvailableMemory available_memory(const std::string& root = "");
 
-// Where `ulimit -v` counts address space, all threads share one heap: the GNU C library reserves 64
-// MiB for each thread that allocates, which that limit counts though nobody uses them. Call first.
+// If `ulimit -v` is set, makes all threads share one heap. Otherwise the GNU C library reserves 64
+// MiB of addresses for each thread that allocates, and the limit counts them though nobody uses
+// them. Call this before all else.
 void spare_address_space();
 
 // The most that this program had in memory at once so far.

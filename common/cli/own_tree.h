@@ -5,10 +5,10 @@
 
 namespace raylab {
 
-// Throws std::runtime_error, one sentence, unless this very program is the file `built_as` (by
-// identity, not by name): a program that was copied or moved, alone or with its build folder, still
-// knows `root`, and would judge what lies there instead of the tree around it. Nothing is said
-// where /proc does not tell which file this program is.
+// Throws std::runtime_error, one sentence, unless this program is the file `built_as`; files are
+// compared by identity, not by name. A program that was copied or moved, alone or with its build
+// folder, still has `root` compiled in, and would judge the tree there instead of the tree around
+// it. Does nothing if /proc does not say which file this program is.
 void expect_own_tree(const std::filesystem::path& built_as, const std::filesystem::path& root);
 
 } // namespace raylab

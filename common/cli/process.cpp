@@ -49,7 +49,7 @@ int start(const std::vector<std::string>& command, const std::filesystem::path& 
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    sigset_t as_by_default; // what this program ignores is not for others to ignore
+    sigset_t as_by_default; // the child gets default actions, also for signals ignored here
     sigemptyset(&as_by_default);
     sigaddset(&as_by_default, SIGXFSZ);
     posix_spawnattr_setsigdefault(&attributes, &as_by_default);
@@ -60,7 +60,7 @@ int start(const std::vector<std::string>& command, const std::filesystem::path& 
     return error;
 }
 
-// Reads until everybody has closed the other end; false if the time was up before.
+// Reads until all processes have closed the other end; false if the time was up before.
 bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
                  std::string& output) {
     char block[1 << 14];
@@ -79,7 +79,7 @@ bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
     }
 }
 
-// Waits for its end; false if the time was up before.
+// Waits until the child ends; false if the time was up before.
 bool wait_for_end(pid_t child, double deadline, int& status) {
     for (;;) {
         const pid_t ended = waitpid(child, &status, WNOHANG);
@@ -89,7 +89,8 @@ bool wait_for_end(pid_t child, double deadline, int& status) {
     }
 }
 
-// Waits for its output and its end, or kills it when the time is up; then false.
+// Waits until the child's output and the child end. If the time is up before, kills it and returns
+// false.
 bool is_over(pid_t child, int pipe_end, double deadline, const ProcessOptions& options,
              std::string& output, int& status) {
     if (read_output(pipe_end, deadline, options, output) && wait_for_end(child, deadline, status))

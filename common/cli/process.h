@@ -10,7 +10,7 @@ namespace raylab {
 
 struct ProcessResult {
     int exit_code = -1; // -1: it could not be started, or a signal ended it
-    int signal = 0;     // that ended it; 0: none
+    int signal = 0;     // the signal that ended it; 0: none
     bool started = false;
     bool timed_out = false;
     double seconds = 0; // wall clock, from start to end
@@ -21,13 +21,13 @@ struct ProcessResult {
 
 struct ProcessOptions {
     double limit_seconds;
-    std::filesystem::path folder = {}; // it runs there; empty: where this program runs
-    std::function<void(const std::string& output)> watch = {}; // sees the output when there is more
+    std::filesystem::path folder = {}; // the program's folder; empty: this program's
+    std::function<void(const std::string& output)> watch = {}; // gets the output when there is more
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments and an empty standard
-// input. After the limit it is killed with its children, and so it is if a signal ends this
-// program. What goes wrong is in the result.
+// input. When the limit is over, or when a signal ends this program, the child is killed with its
+// own children. Errors are reported in the result, and nothing is thrown.
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options);
 
 // Why it did not succeed, in half a sentence: "exit status 3: ImportError: no module mitsuba".

@@ -50,7 +50,7 @@ std::string Progress::facts() const {
 }
 
 void Progress::show() {
-    if (interrupted()) return; // whoever keeps what there is has the word now
+    if (interrupted()) return; // the code that keeps the finished work prints now
     const Clock::time_point now = Clock::now();
     const double since = std::chrono::duration<double>(now - shown_).count();
     const double percent = steps_ > 0 ? 100.0 * done_ / steps_ : 100.0;

@@ -23,7 +23,7 @@ struct DecodeError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// What the first bytes say that a file is.
+// Which format the first bytes of a file show.
 bool is_png(std::string_view bytes);
 bool is_hdr(std::string_view bytes);
 

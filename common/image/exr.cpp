@@ -148,7 +148,7 @@ std::string encode_exr(const Image& image) {
         frame.insert(noise_channels[c], slice(noise.data(), c, image.width, {0, 0}));
     }
     std::string bytes;
-    bytes.reserve((image.error.empty() ? 12 : 24) * image.pixels() + (1 << 16)); // never twice
+    bytes.reserve((image.error.empty() ? 12 : 24) * image.pixels() + (1 << 16)); // never grows
     MemoryOut out(bytes);
     {
         Imf::OutputFile file(out, header);

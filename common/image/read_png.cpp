@@ -59,8 +59,8 @@ Image decode_png(std::string_view bytes, PictureLimits limits, std::vector<float
     const Decoder decoder(spng_ctx_new(0), spng_ctx_free);
     if (!decoder) throw std::bad_alloc();
     check(spng_set_crc_action(decoder.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR));
-    // A chunk is not larger than its file. What is kept of them may be: text and colour profiles
-    // are inflated, and libspng counts its own structures, more than 91 bytes for a word.
+    // A chunk is never larger than its file, but what libspng keeps of it may be: libspng inflates
+    // text and colour profiles, and adds its own structures, more than 91 bytes for a word of text.
     constexpr std::size_t most_kept = std::size_t{8} << 20;
     check(spng_set_chunk_limits(decoder.get(), bytes.size(), bytes.size() + most_kept));
     check(spng_set_png_buffer(decoder.get(), bytes.data(), bytes.size()));

@@ -11,20 +11,22 @@
 namespace raylab {
 namespace {
 
-// Random numbers are multiples of 2^-24 (sampling/hash.h), and so are the tables: then a place is
-// chosen with exactly the probability that they say.
+// Random numbers are multiples of 2^-24 (sampling/hash.h). The tables' values are such multiples
+// too, so a texel is chosen with exactly the probability in the tables.
 constexpr double grains = 0x1p24;
 
-// The least density of what is not black, in parts of an even one. Next to a sun of 10^12 the sky's
-// share of the light is nothing, but where the sun does not reach it is all there is.
+// The least density of a texel that is not black, as a part of the density of even sampling. Beside
+// a sun of 10^12 the sky's share of the light is almost 0, but where the sun does not reach, the
+// sky is the only light.
 constexpr double least = 1 / 16.0;
 
 double light_of(Vec3 rgb) { // luminance, without underflow
     return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
 }
 
-// Appends P(place < i) in proportion to the places' light, or to their sizes where that is more by
-// `least`, or if all are black. No place with light gets less than one grain.
+// Appends P(place < i). A place with light is chosen in proportion to its light, but at least
+// `least` times as often as in proportion to its size; if all places are black, in proportion to
+// size. No place with light gets less than one grain.
 void append_cdf(const std::vector<double>& light, const std::vector<double>& size,
                 std::vector<float>& cdf) {
     double all_light = 0, all_size = 0;
@@ -60,7 +62,7 @@ float rotate_map(Picture& map, double degrees) {
         const auto row = map.texels.begin() + std::ptrdiff_t(y) * map.width;
         std::rotate(row, row + shift % map.width, row + map.width);
     }
-    // As far as the angle is rounded, and what is computed from it.
+    // How far the rounding of the angle, and of what is computed from it, may move a column.
     const double rounding =
         4 * std::numeric_limits<double>::epsilon() * std::fabs(degrees) / 360 * map.width;
     const double left = columns - whole;

@@ -1,5 +1,6 @@
-// How an environment map is sampled: in proportion to what each texel sends, and every texel that
-// sends anything with at least 1/16 of what even sampling would give its row, and it in its row.
+// How an environment map is sampled: in proportion to the light that each texel sends. But a row
+// that sends light is chosen at least 1/16 as often as by even sampling, and so is such a texel in
+// its row.
 #pragma once
 
 #include "common/load/picture.h"
@@ -19,8 +20,9 @@ struct EnvironmentCdf {
 EnvironmentCdf environment_cdf(const Picture& map);
 
 // Turns a map about +y by any finite angle in degrees, counterclockwise seen from above: +z goes to
-// +x, and so towards smaller u. Columns move as far as whole ones do; returns what is left, in
-// turns to be added to u, at most half a column. An angle of k columns is exact, and leaves 0.
+// +x, and so towards smaller u. Moves the texels by whole columns, and returns the rest of the
+// angle, at most half a column, in turns to be added to u. An angle of k columns is exact, and
+// leaves 0.
 float rotate_map(Picture& map, double degrees);
 
 } // namespace raylab

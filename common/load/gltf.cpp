@@ -40,7 +40,7 @@ class GltfReader {
             if (const auto light =
                     read_gltf_light(file_.root, nodes[index], *nodes_.to_world[index], losses_))
                 mesh_.lights.push_back(*light);
-            if (look_) // which takes all that is not geometry
+            if (look_) // without it only geometry and lights are read
                 if (auto camera = read_gltf_camera(file_.root, nodes[index],
                                                    *nodes_.to_world[index], losses_))
                     mesh_.cameras.push_back(*camera);
@@ -109,7 +109,7 @@ class GltfReader {
                                            count_of("materials")));
     }
 
-    // Of the texture coordinates, those that matter.
+    // The numbers of the texture coordinate sets that the primitive's material uses.
     std::set<int> uv_sets(const tinygltf::Primitive& primitive) {
         if (!look_) return {0};
         const GltfMaterial& m = look_->material(primitive.material);
@@ -128,7 +128,7 @@ class GltfReader {
         losses_.add("texture coordinates that a texture needs", "primitive");
     }
 
-    // The triangles with their materials, as far as they are not cut out.
+    // The triangles with their materials, without the parts that alpha cuts out.
     std::vector<Part> look_at(const tinygltf::Primitive& primitive, const GltfVertices& vertices) {
         const int material = primitive.material;
         std::vector<Part> parts;
@@ -242,8 +242,8 @@ class GltfReader {
                                          "KHR_lights_punctual", "EXT_mesh_gpu_instancing"};
         for (const Node& extension : used->elements()) {
             const std::string name = extension.string();
-            // Materials have counted their own, but variants are the primitives'; metadata is no
-            // loss.
+            // Extensions of materials were counted where the materials were read, except for
+            // variants, which belong to primitives. Leaving out metadata is no loss.
             const bool is_counted =
                 name.starts_with("KHR_materials_") && !(look_ && name == "KHR_materials_variants");
             if (!is_counted && !name.starts_with("KHR_xmp") &&
@@ -252,7 +252,7 @@ class GltfReader {
         }
     }
 
-    // Of a top-level array.
+    // The number of elements of a top-level array.
     int count_of(const std::string& array) {
         const auto [count, is_new] = counts_.try_emplace(array, 0);
         if (!is_new) return count->second;

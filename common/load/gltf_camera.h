@@ -10,8 +10,8 @@
 
 namespace raylab {
 
-// The node's camera where it stands in the world; nothing if it has none, or one that is not read,
-// which is added to the losses. root: the whole file. Throws SceneError.
+// The node's camera, placed in the world. Nothing if the node has no camera, or one of a kind that
+// raylab does not read: that is added to the losses. root: the whole file. Throws SceneError.
 std::optional<MeshCamera> read_gltf_camera(const Node& root, const Node& node,
                                            const Transform& to_world, GltfLosses& losses);
 

@@ -54,7 +54,7 @@ bool has_extension(const Node& node, const std::string& name) {
     return extensions && extensions->has(name);
 }
 
-// Geometry that is nowhere but in Draco's data: primitives whose accessors have no view.
+// Whether some geometry exists only in Draco's data: a primitive whose accessors have no view.
 bool has_draco_only(const Node& root) {
     return any_of(root, "meshes",
                   [](const Node& mesh) {
@@ -68,7 +68,8 @@ bool has_draco_only(const Node& root) {
            });
 }
 
-// A buffer that is only said to be what decompression would give.
+// Whether a buffer has no data of its own, and only has the size that meshopt's data would have
+// when decompressed.
 bool has_meshopt_only(const Node& root) {
     return any_of(root, "buffers", [](const Node& buffer) {
         return has_extension(buffer, "EXT_meshopt_compression") && !buffer.has("uri");

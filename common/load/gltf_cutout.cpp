@@ -86,7 +86,7 @@ void Cutout::cut(const Piece& piece, const std::array<Vec2, 3>& uv, int halvings
     const bool whole_first = result.size() == before + 1 && result.back() == first;
     cut(second, second_uv, halvings - 1, result);
     if (whole_first && result.size() == before + 2 && result.back() == second) {
-        result.resize(before); // both halves: the whole after all
+        result.resize(before); // both halves are whole, so keep the undivided piece
         result.push_back(piece);
     }
 }

@@ -22,9 +22,10 @@ class Cutout {
     // alpha, and outlive this.
     Cutout(const Picture& picture, const GltfTexture& texture, float alpha_factor, float cutoff);
 
-    // What is left of a triangle with these texture coordinates: itself, nothing, or pieces: halved
-    // at most max_depth times, down to a texel, the smallest taken whole or not at all by the alpha
-    // at their middle. Pieces are halves of halves, so they meet without gaps but for rounding.
+    // What alpha leaves of a triangle with these texture coordinates: the triangle itself, nothing,
+    // or pieces. Pieces are made by halving, at most max_depth times and not below a texel. The
+    // smallest pieces are kept or removed as a whole, by the alpha at their middle. All pieces are
+    // halves of halves, so they meet without gaps, except for rounding.
     std::vector<Piece> pieces(const std::array<Vec2, 3>& uv, int max_depth) const;
 
   private:

@@ -11,7 +11,8 @@
 namespace raylab {
 namespace {
 
-// Elements that stand in no file: a few bytes must not make us allocate much.
+// The most elements of an accessor that has no view: a file of a few bytes must not make raylab
+// allocate much memory.
 constexpr std::size_t max_zeros = std::size_t(1) << 18;
 
 template <class T> double load(const unsigned char* from, bool normalized) {
@@ -73,8 +74,8 @@ GltfElements::GltfElements(const GltfFile& file, int index) : index_(index) {
     }
     if (accessor.bufferView >= 0 && !accessor.sparse.isSparse) return;
 
-    // Elements of our own: zeros or the view's, with those on top that the sparse part lists
-    // (section 3.6.2.3).
+    // Copies the elements: zeros, or those of the view. The elements that the sparse part lists
+    // then replace theirs (section 3.6.2.3).
     if (accessor.bufferView < 0 && (accessor.count < 1 || accessor.count > max_zeros))
         fail(fmt::format("expected 1 to {} elements without a bufferView, found {}; export the "
                          "file without sparse accessors",

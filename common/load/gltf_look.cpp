@@ -11,7 +11,7 @@
 namespace raylab {
 namespace {
 
-// More pieces than that in a file, and triangles are kept or cut whole.
+// When a file has this many pieces, each further triangle is kept or removed as a whole.
 constexpr std::size_t max_pieces = std::size_t(1) << 20;
 
 } // namespace
@@ -34,7 +34,7 @@ const Picture& GltfLook::picture(int image) {
 void GltfLook::metallic_roughness(const GltfTexture& texture, const std::array<Vec2, 3>& uv,
                                   Variant& variant) {
     const Picture& p = picture(texture.image);
-    // The file's numbers are linear, and decode_picture() took them for sRGB.
+    // The file's numbers are linear, but decode_picture() decoded them as sRGB: this undoes it.
     const Vec3 mean = TexturePoint{p, texture}.mean(uv, [&](int texel) {
         const Vec3 c = p.texels[std::size_t(texel)];
         return Vec3(0, srgb_from_linear(c.y), srgb_from_linear(c.z));
@@ -64,7 +64,7 @@ int GltfLook::material_of_variant(const Variant& variant) {
     MeshMaterial result{
         m.name, nearest_material(m), -1, m.base_texture.wrap_u, m.base_texture.wrap_v, variant[0]};
     if (m.base_texture.exists()) {
-        picture(m.base_texture.image); // errors belong here
+        picture(m.base_texture.image); // read the picture now, so that its errors come first
         result.picture =
             picture_index_.try_emplace(m.base_texture.image, int(picture_index_.size()))
                 .first->second;

@@ -21,8 +21,9 @@ tinygltf::FsCallbacks reading_by(const ReadNamedFile& read) {
         nullptr, const_cast<ReadNamedFile*>(&read)};
 }
 
-// The library stops at the first thing that it does not expect, a skin without joints say, with
-// words that tell nobody where: it gets only what it is needed for.
+// tinygltf stops at the first thing that it does not expect, for instance a skin without joints,
+// and its message does not say where. So it gets only the parts of the file for which raylab needs
+// it.
 std::string part_for_the_library(std::string_view json) {
     const nlohmann::json whole = nlohmann::json::parse(json);
     nlohmann::json part;

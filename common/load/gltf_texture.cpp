@@ -13,7 +13,7 @@
 namespace raylab {
 namespace {
 
-// Element `index` of a top-level array; `of` says who names it.
+// Element `index` of a top-level array.
 Node element(const Node& root, const std::string& array, const Node& index) {
     const auto list = root.find(array);
     const std::vector<Node> elements = list ? list->elements() : std::vector<Node>{};

@@ -191,10 +191,10 @@ std::vector<Transform> read_gltf_binding(const GltfFile& file, int mesh,
             }
     }
     for (std::size_t i = 0; i < bound.size(); ++i) {
-        if (total[i] == 0) { // bound to nothing: to the first joint, as viewers do
+        if (total[i] == 0) { // no weights: bound to the first joint, as in viewers
             if (joints.empty()) reader.fail("the primitive is bound to a skin without joints");
             bound[i] = joints[0];
-        } else { // weights that do not add up to 1 would scale
+        } else { // weights that do not add up to 1 would scale the mesh
             bound[i].linear /= total[i];
             bound[i].translation /= total[i];
         }

@@ -20,7 +20,7 @@ struct GltfVertices {
     std::vector<int> corners;             // three a triangle
 };
 
-// uv_sets: of the texture coordinates, those to read, if they are there. Morph weights: those of
+// uv_sets: the texture coordinate sets to read, where the file has them. Morph weights: those of
 // the node, else the mesh's (section 3.7.2.2).
 GltfVertices read_gltf_vertices(const GltfFile& file, int mesh,
                                 const tinygltf::Primitive& primitive,

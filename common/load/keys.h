@@ -1,5 +1,5 @@
-// Every key of a scene file, block by block: the only list, used by the loader and checked against
-// scenes/scene.schema.json.
+// Every key of a scene file, object by object. This is the only list: the loader uses it, and a
+// test compares it with scenes/scene.schema.json.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-// Block ("scene", "camera", "material glass", "shape sphere", "light point", ...) -> its keys.
+// Object ("scene", "camera", "material glass", "shape sphere", "light point", ...) -> its keys.
 const std::map<std::string, std::vector<std::string>>& scene_keys();
 
 } // namespace raylab

@@ -29,7 +29,7 @@ struct MeshMaterial {
     Material material; // without its texture
     int picture = -1;  // into Mesh::pictures, or -1; its texels are multiplied by reflectance
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat; // of the picture
-    int source = -1; // the same for all that one material of the file became; -1: this one alone
+    int source = -1; // equal for all materials made of one material of the file; -1: none other
 };
 
 // A point light of a mesh file.

@@ -15,7 +15,8 @@
 namespace raylab {
 namespace {
 
-// The library takes what is no number for 0, or worse.
+// Clamps a value. Where the file has no number, tinyobjloader gives 0 or a value that is not
+// finite.
 float between(float value, float low, float high) {
     return std::isfinite(value) ? std::clamp(value, low, high) : low;
 }
@@ -48,7 +49,7 @@ Material nearest_material(const tinyobj::material_t& mtl) {
     m.kind = MaterialKind::phong;
     m.specular = specular;
     m.exponent = between(mtl.shininess, 0, 1e4f);
-    // Together they may not reflect more than there is.
+    // Together the two must not reflect more light than arrives.
     const float most = max_component(m.reflectance + m.specular);
     if (most > 1) {
         m.reflectance /= most;

@@ -115,8 +115,8 @@ class ObjReader {
         faces_.push_back(face);
     }
 
-    // vertex[/[texture coordinate][/[normal]]], each counted from 1, or back from -1, the last one
-    // above this line.
+    // vertex[/[texture coordinate][/[normal]]]. Each index counts from 1 at the first of the file,
+    // or back from -1 at the last above this line.
     Corner corner(const ObjWord& word) const {
         Corner corner{none, none, none};
         std::string_view rest = word.text;
@@ -204,7 +204,8 @@ class ObjReader {
                 default_material_ = material_named("default");
     }
 
-    // A picture needs texture coordinates: faces without get the same material without.
+    // A picture needs texture coordinates: a face without them gets the same material without the
+    // picture.
     int material_of(const Face& face, const MeshTriangle& triangle) {
         const int material = face.material < 0 ? default_material_ : face.material;
         if (material < 0 || mesh_.materials[material].picture < 0 || triangle.uv[0] >= 0)
@@ -241,7 +242,7 @@ class ObjReader {
     const ReadNamedFile& read_;
     Mesh mesh_;
     std::map<std::string, int> material_index_;
-    std::map<int, int> plain_; // of a material with a picture, the one without
+    std::map<int, int> plain_; // a material with a picture -> the same one without
     std::vector<std::string> libraries_;
     int material_ = none, default_material_ = none; // current; of faces that name none
     std::vector<Corner> corners_;

@@ -12,8 +12,9 @@ struct ObjWord {
     int line = 0, column = 0; // both counted from 1
 };
 
-// Cuts a text into statements: a line each, ended by LF, CR or both, and joined with the next one
-// where its last character is a backslash. What follows # is a comment, a byte order mark nothing.
+// Cuts a text into statements. A statement is a line, ended by LF, CR or both; where the last
+// character of a line is a backslash, the next line belongs to it too. Text after # is a comment. A
+// byte order mark is skipped.
 class ObjLines {
   public:
     explicit ObjLines(std::string_view text);

@@ -20,8 +20,8 @@ double turn(Point a, Point b, Point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Seen along the axis that the polygon faces most, so that it turns left. Its normal by Newell's
-// sum of cross products, which is twice the area for any polygon in a plane.
+// The polygon seen along the axis that it faces most, from the side from which it turns left. Its
+// normal is Newell's sum of cross products, which is twice the area for any polygon in a plane.
 std::vector<Point> flattened(const std::vector<DVec3>& corners) {
     DVec3 normal(0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -53,7 +53,8 @@ class EarClipping {
     std::vector<std::array<int, 3>> triangles() {
         int left = int(points_.size()), tried = 0;
         for (int i = 0; left > 3;) {
-            // After a round without an ear the polygon crosses itself, or is flat: cut anything.
+            // If no corner of a whole round is an ear, the polygon crosses itself or is flat: cut
+            // any corner.
             if (is_ear(i) || tried >= left || tests_left_ < 0) {
                 const int next = after_[after_[i]]; // not the neighbour: fans make slivers
                 cut(i);
@@ -79,8 +80,9 @@ class EarClipping {
         if (!(turn_at(i) > 0) || tests_left_ < 0) return false;
         tests_left_ -= std::int64_t(reflex_.size());
         const Point a = points_[before_[i]], b = points_[i], c = points_[after_[i]];
-        // Only corners that are not convex can be the first inside. Corners at the same place as
-        // one of the ear's are none: a bridge to a hole passes them twice.
+        // Only corners that are not convex can be the first that lies inside. A corner at the same
+        // place as one of the ear's does not count: a bridge to a hole passes its two corners
+        // twice.
         return std::none_of(reflex_.begin(), reflex_.end(), [&](int other) {
             const Point p = points_[other];
             return !(p == a) && !(p == b) && !(p == c) && turn(a, b, p) >= 0 &&
@@ -103,8 +105,8 @@ class EarClipping {
     std::vector<int> before_, after_, reflex_;
     std::vector<char> gone_;
     int last_ = 0;
-    // A second's work. Polygons that cross themselves take cubic time; what is left of one is cut
-    // without a look.
+    // About one second of work. A polygon that crosses itself takes cubic time; when no tests are
+    // left, the rest of it is cut without tests.
     std::int64_t tests_left_ = std::int64_t(1) << 28;
     std::vector<std::array<int, 3>> triangles_;
 };

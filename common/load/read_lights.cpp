@@ -1,4 +1,5 @@
-// The `lights` block: points and the environment. Surfaces that glow are lights by their material.
+// The section `lights`: point lights and the environment. Surfaces that glow are lights by their
+// material.
 #include "common/load/environment_map.h"
 #include "common/load/keys.h"
 #include "common/load/scene_builder.h"

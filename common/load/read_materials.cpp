@@ -1,4 +1,4 @@
-// The `materials` block: what surfaces are made of, by name, and their textures.
+// The section `materials`: what surfaces are made of, by name, and their textures.
 #include "common/load/keys.h"
 #include "common/load/picture.h"
 #include "common/load/scene_builder.h"
@@ -48,7 +48,8 @@ Material SceneBuilder::read_material(const Node& node) {
     node.expect_keys(scene_keys().at("material " + kind.string()),
                      "a material of kind " + kind.string());
 
-    // What reflects must say how much; what refracts or is metal is untinted unless it says so.
+    // A material that only reflects must give its reflectance. Glass and metal have no tint unless
+    // they give one.
     if (const auto texture = node.find("reflectance_texture")) {
         if (node.has("reflectance"))
             texture->fail("expected reflectance or reflectance_texture, found both; remove one");
@@ -115,7 +116,7 @@ int SceneBuilder::texture_from_file(const Node& file) {
     }
 }
 
-// factor: on each texel, so that no hit pays for it.
+// factor: multiplied into every texel here, so that no hit has to do it.
 int SceneBuilder::add_texture(const Picture& picture, const Node& node, Vec3 factor, Wrap wrap_u,
                               Wrap wrap_v) {
     if (scene_.texels.size() + picture.texels.size() > std::size_t(max_picture_texels))

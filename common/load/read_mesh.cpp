@@ -86,8 +86,9 @@ void SceneBuilder::read_mesh(const Node& shape) {
     add_mesh(shape, file, mesh);
 }
 
-// The scene's material for each of the mesh's own, which are used where the shape names none: the
-// one that the shape's "materials" say, or the file's.
+// For each of the mesh's own materials, the index of the scene's material that takes its place: the
+// one that the shape's "materials" names for it, or else the file's own. For a shape without
+// "material".
 std::vector<int> SceneBuilder::add_mesh_materials(const Node& shape, const Node& file,
                                                   const Mesh& mesh) {
     const std::vector<std::string> keys = material_keys(mesh);
@@ -127,7 +128,8 @@ std::vector<int> SceneBuilder::add_mesh_materials(const Node& shape, const Node&
     return indices;
 }
 
-// The scene says whether it wants the file's lights, since it may have its own.
+// Adds the file's point lights if the shape asks for them: a scene may have lights of its own
+// instead.
 void SceneBuilder::add_mesh_lights(const Node& shape, const Mesh& mesh,
                                    const Transform& transform) {
     const auto wanted = shape.find("lights");
@@ -169,7 +171,7 @@ void SceneBuilder::add_mesh(const Node& shape, const Node& from, Mesh& mesh) {
             shape.fail("expected a key \"material\", since the mesh file gives none for all its "
                        "triangles");
         Triangle triangle{{}, {}, -1, {next_id_, named ? material : own[source.material], -1}};
-        // Which corner of the file becomes corner i: a mirrored mesh is turned over.
+        // corner[i]: which corner of the file becomes corner i. A mirrored mesh swaps two of them.
         const int corner[3] = {0, transform.mirrors() ? 2 : 1, transform.mirrors() ? 1 : 2};
         for (int i = 0; i < 3; ++i)
             triangle.v[i] = transform.point(mesh.positions[source.position[corner[i]]]);

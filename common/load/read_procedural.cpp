@@ -14,7 +14,7 @@ void SceneBuilder::read_procedural(const Node& shape) {
         count.fail_expected(fmt::format("{} to {} triangles", fewest_procedural_triangles,
                                         most_procedural_triangles));
     const auto seed = shape.find("seed");
-    material_named(shape.at("material")); // before the work
+    material_named(shape.at("material")); // throws before the mesh is made
     Mesh mesh = kind.make(triangles, seed ? seed->seed() : 1);
     add_mesh(shape, name, mesh);
 }

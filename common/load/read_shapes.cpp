@@ -1,4 +1,4 @@
-// The `shapes` block: spheres, boxes, quads, planes, triangles, transformed into world space.
+// The section `shapes`: spheres, boxes, quads, planes, triangles, transformed into world space.
 // Meshes are in read_mesh.cpp and read_procedural.cpp.
 #include "common/geometry/make_quad.h"
 #include "common/geometry/parameters.h"
@@ -13,7 +13,8 @@
 namespace raylab {
 namespace {
 
-// The largest sphere, in distances that the camera sees, that is traced as one.
+// A sphere is traced as a sphere up to this radius, in units of the distance from which the camera
+// sees it.
 constexpr double max_radius_seen = 0x1p30;
 
 double norm(DVec3 v) { return std::sqrt(dot(v, v)); }
@@ -42,7 +43,7 @@ double bend_by_rounding(const Vec3 (&v)[4], DVec3 n) {
     return rounding_along(v, n) * (1 + std::fabs(1 - c.x - c.y) + std::fabs(c.x) + std::fabs(c.y));
 }
 
-// What to say of a quad that is no longer one after rounding.
+// A hint for a quad whose corners are no longer in one plane after rounding.
 std::string precision_hint(const Vec3 (&v)[4], double size) {
     float largest = 0;
     for (const Vec3& corner : v) largest = std::max(largest, max_component(abs(corner)));

@@ -1,4 +1,4 @@
-// The frame of the loader: files, the blocks in order, and what only the whole scene can tell.
+// Loads a scene: its files, its sections in order, and what depends on the whole scene.
 #include "common/load/scene_builder.h"
 
 #include "common/load/keys.h"
@@ -32,7 +32,7 @@ SceneBuilder::SceneBuilder(const JsonDocument& document, const std::filesystem::
 
 Scene SceneBuilder::build() {
     const Node root(document_);
-    // The version first: another one may have other keys.
+    // The version is read first, since another version may have other keys.
     const Node version = root.at("version");
     if (version.integer() != 1)
         version.fail_expected("1", "; this raylab reads scene files of version 1 only");
@@ -178,8 +178,9 @@ void SceneBuilder::make_area_lights() {
     }
 }
 
-// Of surfaces in one place a ray meets the lowest id. Opaque ones get the lower: glass that stands
-// on a floor, listed before it, would else send light on from where both end, below the floor.
+// Where surfaces lie in one place, a ray meets the one with the lowest id. So opaque surfaces get
+// the lower ids. Otherwise light would pass through a floor where glass stands on it, if the file
+// lists the glass first.
 void SceneBuilder::number_opaque_first() {
     const auto each_shape = [&](const auto& visit) {
         for (Sphere& shape : scene_.spheres) visit(shape.tags);

@@ -1,4 +1,4 @@
-// What the readers of the blocks of a scene file share while a scene is being built.
+// What the readers of a scene file's sections share while a scene is being built.
 #pragma once
 
 #include "common/load/mesh.h"
@@ -58,7 +58,7 @@ class SceneBuilder {
     Vec3 placed(const Node& shape, const Transform& transform,
                 DVec3 p) const; // error if not finite
     void add_quad(const Node& shape, const Vec3 (&v)[4], int material);
-    // `from`: the key that says which mesh it is.
+    // `from`: the key that names the mesh, for messages.
     void add_mesh(const Node& shape, const Node& from, Mesh& mesh);
     std::vector<int> add_mesh_materials(const Node& shape, const Node& file, const Mesh& mesh);
     void add_mesh_lights(const Node& shape, const Mesh& mesh, const Transform& transform);

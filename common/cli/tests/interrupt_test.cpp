@@ -1,4 +1,4 @@
-// Signals, met by child processes of this test: what they leave, and how they end.
+// Signals, sent to child processes of this test: how the children end, and what they leave behind.
 #include "common/cli/interrupt.h"
 
 #include "common/cli/files.h"
@@ -127,7 +127,7 @@ TEST(Interrupt, WhatTheWorkThrowsIsThrownOn) {
     EXPECT_TRUE(run_interruptibly([] {}));
 }
 
-// Dead, or a zombie that init has not yet looked after.
+// Whether the process is dead, or a zombie whose parent has not asked for its status yet.
 bool ends(pid_t process) {
     const std::string stat = "/proc/" + std::to_string(process) + "/stat";
     for (int i = 0; i < 200; ++i, usleep(10000))
@@ -135,7 +135,7 @@ bool ends(pid_t process) {
     return false;
 }
 
-// The signal comes when there is a child, but nobody has noted down which.
+// The signal comes after the child was started, and before its number is noted down.
 TEST(Interrupt, WhileAChildIsBeingStartedTheEndWaits) {
     int pipe_ends[2];
     ASSERT_EQ(pipe(pipe_ends), 0);
@@ -183,7 +183,8 @@ TEST(Interrupt, NeitherFilesNorChildrenAreLeftBehind) {
     EXPECT_TRUE(ends(grandchild)) << "the child's child runs on";
 }
 
-// `ulimit -f` is for this program's writes to fail, and for children to die of as they are used to.
+// Under `ulimit -f` this program's writes fail. Its children must die of SIGXFSZ, as they would in
+// a shell.
 TEST(Interrupt, ALimitOnFilesIsNotInheritedAsIgnored) {
     const Child child([] {
         Child::is_ready();

@@ -34,7 +34,8 @@ TEST_F(Memory, OfTheMachine) {
     EXPECT_EQ(available_memory(root).limit, "the machine has no more free");
 }
 
-// The group itself has no limit, the one above it has. What files take can be had.
+// The group itself has no limit, but the group above it has. Memory that cached files take counts
+// as available.
 TEST_F(Memory, OfControlGroups) {
     write("/proc/self/cgroup", "0::/job/step\n");
     write("/sys/fs/cgroup/job/step/memory.max", "max\n");

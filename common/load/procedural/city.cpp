@@ -1,8 +1,8 @@
-// An axis-aligned city: boxes on lots of a grid, wall to wall in blocks of four by four, streets
-// between. Every coordinate is a whole number: walls of neighbours lie in one plane and over each
-// other, roofs of one height and all floors (y = 0) are coplanar, edges fall together, and rays
-// along an axis run in walls. On one lot in eight the box is flat: floor and roof are one square,
-// seen from two sides.
+// An axis-aligned city: boxes on lots of a grid, wall to wall in squares of four by four lots, with
+// streets between the squares. Every coordinate is a whole number: walls of neighbours lie in one
+// plane and over each other, roofs of one height and all floors (y = 0) are coplanar, edges fall
+// together, and rays along an axis run in walls. On one lot in eight the box is flat: floor and
+// roof are one square, seen from two sides.
 #include "common/load/procedural/parts.h"
 #include "common/load/procedural/procedural.h"
 #include "common/sampling/hash.h"

@@ -2,7 +2,7 @@
 // "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987). Here a sphere carries
 // the twelve neighbours that it would have in the closest packing, less the one towards its parent:
 // their directions need no rotation, and no two spheres meet. The first sphere is the unit sphere,
-// the whole reaches to 2. The last level is incomplete; the seed chooses who is there.
+// the whole reaches to 2. The last level is incomplete; the seed chooses which spheres it has.
 #include "common/load/procedural/parts.h"
 #include "common/load/procedural/procedural.h"
 

@@ -81,8 +81,8 @@ TEST(EnvironmentCdf, OfABlackMapCoversTheSphereEvenly) {
         for (int x = 0; x < 4; ++x) EXPECT_NEAR(texel_probability(cdf, 4, x, y), 1 / 8.0, 1e-7);
 }
 
-// Beside a sun of any brightness every texel that glows can be chosen, with the probability that
-// the table says: it is a multiple of the random numbers' grain. A black one cannot.
+// Beside a sun of any brightness every texel that glows can be chosen, with exactly the probability
+// in the table, which is a multiple of the random numbers' grain. A black texel is never chosen.
 TEST(EnvironmentCdf, KeepsTheSkyBesideASun) {
     for (const float sun : {1e3f, 1e12f, 1e30f, 3e38f}) {
         Picture map{1024, 32, std::vector<Vec3>(32768, Vec3(1e-3f))};
@@ -97,8 +97,8 @@ TEST(EnvironmentCdf, KeepsTheSkyBesideASun) {
     }
 }
 
-// What light sampling makes of the sky where the sun is hidden: the irradiance of a sky of 1 on a
-// floor, pi less the sun's own texel (4 standard errors, a false alarm in 16,000 each).
+// Light sampling in the shadow of the sun: the irradiance of a sky of 1 on a floor is pi, less the
+// part of the sun's own texel (4 standard errors, a false alarm in 16,000 each).
 TEST(EnvironmentCdf, LightSamplingFindsTheSkyInTheSunsShadow) {
     constexpr int width = 64, height = 32, sun = 5 * width + 11;
     for (const float radiance : {1e3f, 1e12f}) {
@@ -154,7 +154,7 @@ std::vector<int> rotated(int width, double degrees, float* left = nullptr) {
     for (int i = 0; i < 2 * width; ++i) map.texels.push_back(Vec3(float(i)));
     const float turn = rotate_map(map, degrees);
     if (left) *left = turn;
-    std::vector<int> columns; // which column of the file each of the first row's is now
+    std::vector<int> columns; // for each column of the turned first row, its number before
     for (int x = 0; x < width; ++x) {
         columns.push_back(int(map.texels[x].x));
         EXPECT_EQ(map.texels[width + x].x, map.texels[x].x + float(width));
@@ -166,8 +166,8 @@ TEST(EnvironmentMap, IsTurnedLikeAShape) {
     float left = 1;
     EXPECT_EQ(rotated(8, 0, &left), (std::vector{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(left, 0);
-    // What lay towards +z, u = 1/4, comes to +x, u = 0, as a shape does that is turned by 90
-    // degrees.
+    // The texels towards +z, u = 1/4, come to +x, u = 0, as does a point of a shape that is turned
+    // by 90 degrees.
     EXPECT_EQ(rotated(8, 90, &left), (std::vector{2, 3, 4, 5, 6, 7, 0, 1}));
     EXPECT_EQ(left, 0);
     EXPECT_EQ(rotated(8, -45), (std::vector{7, 0, 1, 2, 3, 4, 5, 6}));
@@ -178,7 +178,7 @@ TEST(EnvironmentMap, IsTurnedLikeAShape) {
             ASSERT_EQ(columns[0], (k + width) % width) << width << ' ' << k;
             ASSERT_EQ(left, 0) << width << ' ' << k;
         }
-    // Between columns the rest is left: to 1 / 8 of a turn as far as whole columns go.
+    // For an angle between two columns, the texels move by whole columns and the rest is returned.
     EXPECT_EQ(rotated(8, 50, &left)[0], 1);
     EXPECT_NEAR(left, 5 / 360.0, 1e-9);
     EXPECT_EQ(rotated(8, -50, &left)[0], 7);

@@ -1,5 +1,5 @@
-// The materials of glTF files: the right raylab material for each kind, and what textures that
-// raylab has not do to it.
+// The materials of glTF files: the right raylab material for each kind, and the effect of textures
+// that raylab's materials do not have.
 #include "common/load/gltf_material.h"
 #include "common/load/tests/gltf_maker.h"
 #include "common/material/fresnel.h"
@@ -275,7 +275,7 @@ TEST(GltfLook, OneWarningListsWhatIsLost) {
                   "texture), normal maps (1 material); see docs/formats.md"),
               std::string::npos)
         << warnings[0];
-    // A scene that brings its own material loses none of the file's.
+    // If the scene replaces the materials, nothing is lost by not reading the file's.
     const std::vector<std::string> own = load_made(file, R"(, "material": "white")").warnings;
     ASSERT_EQ(own.size(), 1u);
     EXPECT_NE(own[0].find("read without MSFT_lod (1 extension), animations"), std::string::npos);

@@ -69,7 +69,7 @@ TEST(GltfRefused, SkinsThatSayNothing) {
                  "/nodes/0: skin 0 does not exist; the file has 0");
     expect_error(with(bound, R"("skins":[{}])", R"("skins":[{"joints":[7]}])"),
                  "/skins/0/joints/0: the joint 7 is no node of the file's scene");
-    // A skin that no node wears harms nobody.
+    // A skin that no node uses does not make the file wrong.
     EXPECT_EQ(parse_made(with(bound, R"(,"skin":0)", "")).triangles.size(), 1u);
 }
 

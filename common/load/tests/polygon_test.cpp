@@ -13,8 +13,8 @@ using Corners = std::vector<DVec3>;
 
 DVec3 area_vector(DVec3 a, DVec3 b, DVec3 c) { return 0.5 * cross(b - a, c - a); }
 
-// Sums to the polygon's area if and only if no triangle is turned over, for then their vectors all
-// point the polygon's way.
+// The lengths of the triangles' area vectors sum to the polygon's area if and only if no triangle
+// is turned over, for then all vectors point the same way.
 void expect_covered_once(const Corners& corners, const char* what) {
     DVec3 whole(0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)

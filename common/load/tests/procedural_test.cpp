@@ -103,7 +103,7 @@ TEST(ProceduralMeshes, AreSortedByName) {
     EXPECT_EQ(find_procedural_mesh("tree"), nullptr);
 }
 
-// Four million, once, of the quickest: no index and no product overflows.
+// Four million triangles once, of the mesh that is made fastest: no index and no product overflows.
 TEST(ProceduralMeshes, ReachFourMillion) {
     EXPECT_EQ(make_fractal(most_procedural_triangles, 1).triangles.size(), 4000000u);
 }

@@ -11,7 +11,7 @@
 
 namespace raylab {
 
-// A scene that loads without a warning; one line per block.
+// A scene that loads without a warning; one line for each section.
 inline const std::string good_scene = R"({
   "version": 1,
   "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40},
