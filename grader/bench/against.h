@@ -1,9 +1,9 @@
 // This run against the bench.json of another commit: what changed, and what is noise.
 //
-// The two ran at different times on a machine that others may share, so seconds are not compared
-// where it can be helped: both runs have ratios to the same baseline, and those are. A change of
-// the baseline itself does not show in them; against a peer whose program stayed the same
-// (--baseline cycles) it does.
+// The two ran at different times on a machine that others may share, so seconds are not compared if
+// it can be avoided. Both runs have ratios to the same baseline, and those are compared. A change
+// of the baseline itself does not show in them; it does against a peer whose program stayed the
+// same (--baseline cycles).
 #pragma once
 
 #include "grader/bench/statistics.h"

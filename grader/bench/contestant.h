@@ -11,7 +11,7 @@
 
 namespace raylab::bench {
 
-// what() is a sentence for people: what failed, where, what to do. The others go on.
+// what() is a sentence for people: what failed, where, what to do. The other contestants go on.
 struct ContestantError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

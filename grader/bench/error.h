@@ -16,13 +16,14 @@ struct MeasuredError {
     double rel_mse = 0; // each divided by level^2 + (1 % of the mean level)^2, as in measure()
 };
 
-// mean((image - reference)^2 - var_reference): with many samples a reference of few would otherwise
-// be what is measured. A reference without variance is taken as exact. Same size, or
-// std::invalid_argument; pixels that are not finite are left out.
+// mean((image - reference)^2 - var_reference). Without the last term, a render of many samples
+// would be charged with the error of a reference of few. A reference without variance is taken as
+// exact. Throws std::invalid_argument unless both have the same size; leaves out pixels that are
+// not finite.
 MeasuredError error_against(const Image& image, const Image& reference);
 
-// mean((a - b)^2) / 2; `level` is the radiance that errors are relative to: not a or b, whose noise
-// it would follow.
+// mean((a - b)^2) / 2. Relative errors are relative to the radiance `level`, and not to a or b,
+// whose noise they would follow.
 MeasuredError error_of_pair(const Image& a, const Image& b, const Image& level);
 
 // The difference of mean luminance, relative to the truth's, with the half width of its interval.
@@ -30,8 +31,8 @@ struct Bias {
     double relative = 0, half_width_95 = 0, half_width_999 = 0;
 };
 
-// From at least two renders with seeds of their own, by Welch's t: the error of the renders is how
-// far they lie apart, that of the truth is its variance, pixels taken as independent.
+// From at least two renders with seeds of their own, by Welch's t. The error of the renders follows
+// from their spread; the error of the truth is its variance, with pixels taken as independent.
 Bias bias_of(const std::vector<const Image*>& renders, const Image& truth);
 
 } // namespace raylab::bench

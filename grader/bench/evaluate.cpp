@@ -84,9 +84,9 @@ double quotient(double a, double b) {
     return std::isfinite(a) ? -b : nan;
 }
 
-// In a disturbed round the time did not grow with the samples. That is no reason to drop the round,
-// which would keep the slow ones only and make the median too large: its slope lies below all that
-// can be measured, and in an order that is enough.
+// In a disturbed round the time did not grow with the samples. Leaving out such rounds would leave
+// the slow ones, and the median would be too large. So the slope of such a round counts as below
+// all that can be measured; for a median only the order matters.
 void evaluate_time(Row& row, const Turns& turns, const Plan& plan) {
     const std::vector<double> x(plan.spp.begin(), plan.spp.end());
     std::vector<double> slopes, intercepts;

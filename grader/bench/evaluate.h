@@ -12,8 +12,8 @@ struct EvaluateOptions {
     double target_rel_mse = 0.01; // for seconds_to_target
 };
 
-// `reference`: of the same scene and size, or nothing; then errors come from pairs of rounds and
-// the first contestant that did not fail is what the others are judged against.
+// `reference`: of the same scene and size, or nullptr. Without a reference, errors come from pairs
+// of rounds, and the images are judged against the first contestant that did not fail.
 //
 // Two images agree if the judge's first stage passes (false-alarm rate 5e-4) and the mean luminance
 // is within 0.5 % beyond its 99.9 % interval.

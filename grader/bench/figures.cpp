@@ -23,7 +23,8 @@ std::string ratio_text(const std::optional<Measured>& ratio) {
     return ratio ? with_interval(*ratio, 3) : "-";
 }
 
-// A field of CSV: quoted, quotes doubled, if it holds what would end it.
+// A field of CSV. It is quoted, with its quotes doubled, if it contains a comma, a quote or a line
+// end.
 std::string csv_text(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

@@ -15,7 +15,7 @@ std::string figure(double value, const char* format);
 std::string with_interval(const Measured& m, int digits = 4);
 std::string ratio_text(const std::optional<Measured>& ratio);
 
-// A field: quoted, quotes doubled, if it holds what would end it. Unknown figures are empty.
+// A field of CSV, quoted if need be, with its quotes doubled. Unknown figures are empty fields.
 std::string csv_text(const std::string& text);
 std::string csv_number(double value);
 

@@ -100,7 +100,7 @@ ordered_json to_json(const Bench& bench) {
 }
 
 void write_bench(const Bench& bench, const std::string& folder) {
-    // What a peer printed may be no UTF-8: it is replaced, not refused.
+    // The output of a peer may not be valid UTF-8: its wrong bytes are replaced, and nothing fails.
     const auto json = to_json(bench);
     write_file(folder + "/bench.json",
                json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");

@@ -4,7 +4,7 @@ namespace raylab::bench {
 
 namespace {
 
-// Draws if the contestant has not failed yet; nothing if it has, or does now.
+// The render, unless the contestant has failed before or fails now: then nothing.
 std::optional<Drawn> draw(const Contestant& contestant, Turns& turns, int spp, std::uint32_t seed) {
     if (!turns.failure.empty()) return {};
     try {
@@ -25,7 +25,7 @@ std::vector<Turns> take_turns(const std::vector<Contestant>& contestants, const 
     std::vector<Turns> all;
     for (const Contestant& c : contestants) all.push_back({c.name, c.title, "", {}});
     std::uint32_t seed = plan.first_seed;
-    // Once for nothing: caches on disk and compiled kernels are there from now on.
+    // All draw once untimed. Afterwards, caches on disk are filled and kernels are compiled.
     for (std::size_t who = 0; who < all.size(); ++who)
         draw(contestants[who], all[who], plan.spp.front(), seed++);
     int runs = 0;

@@ -40,7 +40,7 @@ struct Row {
     Measured efficiency;        // 1 / (MSE seconds), start-up taken out; 1 / (radiance^2 s)
     Measured exponent;          // of relMSE over spp: -1 for independent samples
     Measured seconds_to_target; // from relMSE = C / n, C at the most samples
-    Bias bias;                  // against the truth; NaN for what the others are held against
+    Bias bias;                  // against the truth; NaN for the contestant that is the truth
     std::optional<Measured> speed_ratio, efficiency_ratio; // over the baseline in the same round
 
     std::vector<ErrorPoint> points;

@@ -10,10 +10,11 @@
 
 namespace raylab::bench {
 
-// One value a round. -infinity and infinity: below or above everything that can be measured; NaN:
-// it may lie anywhere, so it counts as -infinity for `low` and as infinity for `high`. An infinite
-// end is an open one. The median is that of the values that are not NaN; where it is infinite, or
-// half of them are NaN, nothing is known, and all three are NaN.
+// One value a round. A value of -infinity or infinity is below or above all that can be measured.
+// NaN may be anywhere, so it counts as -infinity for `low` and as infinity for `high`. If `low` or
+// `high` is infinite, the interval is open at that end. The median is that of the values that are
+// not NaN. If it is infinite, or half of the values are NaN, nothing is known, and all three are
+// NaN.
 struct Measured {
     std::vector<double> rounds; // in the order of the rounds
     double median = 0, low = 0, high = 0;
@@ -41,7 +42,7 @@ double fit_exponent(const std::vector<double>& x, const std::vector<double>& y);
 // that the Mann-Whitney test leaves. Values > 0.
 struct Ratio {
     double median, low, high;
-    double coverage; // at least 95 % if there are enough values (4 against 4), else what there is
+    double coverage; // at least 95 % from 4 against 4 values on; less for fewer
 
     // Is 1 outside the interval?
     bool is_change() const { return low > 1 || high < 1; }

@@ -115,7 +115,8 @@ LabSheet read_document(const JsonDocument& document, const fs::path& root,
     sheet.test_files = read_files(top.at("test_files"), sheet.path());
     if (const auto scenes = top.find("scenes")) sheet.scenes = read_words(*scenes);
     if (const auto withhold = top.find("withhold")) {
-        // What a release withheld is not in the tree that it made.
+        // A released tree does not have the files that the release withheld, so they are not looked
+        // for.
         sheet.withhold = read_words(*withhold);
     }
     for (const Node& node : top.at("tasks").elements())

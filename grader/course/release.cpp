@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What every tree has, apart from its lab.
+// What every released tree has, besides its lab.
 const std::vector<std::string> given = {
     ".clang-format", ".clangd",      ".devcontainer",  ".editorconfig",
     ".gitignore",    ".vscode",      "CMakeLists.txt", "CMakePresets.json",
     "LICENSE",       "packages.txt", "raylab",         "app",
     "cmake",         "common",       "grader",         "scenes"};
 
-// The project's own tests know the answers, and generated files are nobody's source.
+// The project's own tests contain answers, and generated files are not sources.
 bool is_given(const fs::path& file) {
     for (const fs::path& part : file)
         if (part == "tests" || part == "fuzz" || part == "__pycache__") return false;
@@ -44,7 +44,8 @@ std::vector<fs::path> given_files(const fs::path& root) {
     return files;
 }
 
-// Students build with warnings that stop nothing, and without the tests that are not here.
+// In students' builds warnings do not stop the compiler, and tests that are not released are left
+// out.
 std::string student_presets(const std::string& text) {
     nlohmann::ordered_json presets = nlohmann::ordered_json::parse(text);
     for (auto& preset : presets.at("configurePresets"))
@@ -74,7 +75,7 @@ std::string student_readme(const LabSheet& sheet) {
                        sheet.number, sheet.title, sheet.folder, sheet.folder, commands);
 }
 
-// What the solution says and the stub beside it does not.
+// The lines of the solution that are not in the stub beside it.
 void collect(std::set<std::string>& lines, const Region& region) {
     std::set<std::string> said;
     for (const std::string& line : region.stub) said.insert(squeezed(line));
@@ -90,13 +91,13 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-// The text of a file of common as students of the lab get it; `stays` if it is not handed out.
+// A file of common as students of the lab get it; `stays`: it is not handed out.
 struct Given {
     std::string text;
     bool stays = false;
 };
 
-// What the lab and those after it withhold.
+// What this lab and all later labs withhold.
 struct Withheld {
     std::vector<std::string> files, numbers; // the labs' numbers
 };
@@ -143,8 +144,8 @@ Given without_answers(const LabSheet& sheet, const Withheld& withheld, const std
 } // namespace
 
 std::string squeezed(const std::string& line) {
-    // A name for a field, an element, or for what one call returns; the head of a loop that counts
-    // or goes through all.
+    // Lines that anybody would write: a name for a field, for an element, or for the result of one
+    // call; the head of a loop that counts or goes through all elements.
     static const std::regex plain(
         R"(const[\w:<>&]+=[\w.:<>]+(\[[\w.]+\])?(\(([\w,.]|\(\))*\))?;)"
         R"(|for\(int\w+=0;\w+<[\w.]+;\+\+\w+\)\{?|for\(const\w+&\w+:[\w.]+\)\{?)");

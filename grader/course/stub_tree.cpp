@@ -48,7 +48,7 @@ void check_regions(const LabSheet& sheet, const MarkedSource& source, const std:
     }
 }
 
-// `check` sends a student to a section of the handout: it must be there.
+// `check` refers students to a section of the handout, so the section must be there.
 void check_hints(const LabSheet& sheet) {
     std::set<std::string> headings;
     std::istringstream handout(read_file((sheet.path() / "README.md").string()));

@@ -28,7 +28,7 @@ struct TestOutcome {
     std::vector<Stub> stubs;
 };
 
-// A name for GoogleTest's report that nobody else has; gone with this object.
+// A file name for GoogleTest's report that nobody else uses. The destructor removes the file.
 class TemporaryFile {
   public:
     TemporaryFile() : path_((fs::temp_directory_path() / "raylab-check-XXXXXX").string()) {
@@ -45,7 +45,7 @@ class TemporaryFile {
     std::string path_;
 };
 
-// A test that did not run is nobody's wrong answer, and nobody's right one.
+// A test that did not run shows neither a right nor a wrong answer.
 [[noreturn]] void did_not_run(const std::string& what, const std::string& why) {
     throw std::runtime_error(
         fmt::format("{} did not run: {}; nothing can be said about the lab", what, why));
@@ -102,7 +102,7 @@ std::string fact_in(std::string failure) {
 // What GoogleTest's report says about its one test.
 struct Report {
     bool completed = false; // it ran to its end
-    std::string result;     // else, if there is a report: "SKIPPED", or "SUPPRESSED" if disabled
+    std::string result;     // if it did not: "SKIPPED", or "SUPPRESSED" if disabled
     std::vector<std::string> facts;
 };
 
@@ -123,7 +123,7 @@ Report read_report(const std::string& text) {
 
 TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder) {
     const TemporaryFile file;
-    bool began = false; // seen at once: of a long output the beginning is not kept
+    bool began = false; // looked for as output comes, since only the end of long output is kept
     const ProcessResult process =
         run_process({program.string(), "--gtest_filter=" + name, "--gtest_color=no",
                      "--gtest_output=json:" + file.path()},
@@ -133,9 +133,9 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
     const Report report = read_report(read_file(file.path()));
     if (!report.completed && !report.result.empty())
         did_not_run(name, "it was skipped or disabled");
-    // From its first line on a test calls the lab's functions: what ends it early is theirs.
+    // After its first line a test calls the lab's functions, so an early end is the lab's mistake.
     if (!began) did_not_run(name, why_failed(process));
-    // In the words of common/simt/check.h.
+    // These are the words of common/simt/check.h.
     if (process.output.find("no NVIDIA GPU or driver was found") != std::string::npos)
         did_not_run(name, "no NVIDIA GPU or driver was found on this machine; RAYLAB_PRESET=cpu "
                           "checks on the CPU machine");
@@ -202,7 +202,7 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& p
         const TestOutcome test = run_test(name, program, sheet.root);
         ++result.tests;
         result.passed += test.passed;
-        // A test that met a stub it rests on tells nothing that the stub has not told.
+        // A test that met a stub that it needs shows nothing more than this stub.
         bool tells = true;
         for (const Stub& stub : test.stubs) {
             if (stub.task != task.id && !contains(task.needs, stub.task)) continue;

@@ -1,5 +1,5 @@
-// Every region and channel of two pictures. Where a pixel's error is not known it counts as none:
-// what agrees even so agrees; what does not is left open.
+// Compares every region and channel of two pictures. A pixel whose error is not known counts as
+// exact. If the images agree even then, they agree; if they do not, the question is left open.
 #include "grader/judge/compare.h"
 
 #include "grader/judge/noisy_image.h"
@@ -19,7 +19,7 @@ bool same_bits(const Image& a, const Image& b) {
     return std::memcmp(a.mean.data(), b.mean.data(), a.mean.size() * sizeof(Vec3)) == 0;
 }
 
-// The whole image first, then blocks, then tiles.
+// The whole image first, then squares of 2 x 2 tiles, then tiles.
 std::vector<Region> all_regions(int width, int height) {
     std::vector<Region> regions{{0, 0, width, height}};
     for (const int size : {tile_size, 2 * tile_size})
@@ -42,7 +42,7 @@ Deviation deviation(const NoisyImage& a, const NoisyImage& b, const Region& regi
     return {welch_t(x, y), y.mean != 0 ? d / y.mean : d == 0 ? 0 : INFINITY};
 }
 
-// What is not known of a side's noise, or "".
+// A clause that says what is not known of a side's noise, or "".
 std::string ignorance(const NoisyImage& side, const char* name, const Region& whole) {
     const double unknown = side.unknown(whole);
     if (unknown == 0) return "";

@@ -47,7 +47,7 @@ double detectable(const Screening& screening, double alpha) {
     return (threshold + student_t_quantile(0.02, dof)) * whole.standard_error / mean;
 }
 
-// What can be said after the first stage; true if it found nothing to suspect.
+// The verdict after the first stage; true if no difference was found.
 bool first_stage(IndependentResult& result, const Replicates& replicates, const Image& reference,
                  const ReferenceTiles& tiles, const IndependentOptions& options) {
     result.screening = screen(replicates, tiles, reference.provenance.spp, options.screening);
@@ -97,8 +97,8 @@ void conclude(IndependentResult& result, bool passed, const Image& reference) {
                                             to_string(s.worst.region)));
 }
 
-// A reference without any variance is taken as exact; one whose pixels have a single sample cannot
-// be.
+// The reference in tiles. A reference without any variance is taken as exact. A reference in which
+// only some pixels have no variance, because they have a single sample, is refused.
 ReferenceTiles known_tiles(const Image& reference) {
     ReferenceTiles tiles(reference);
     const double unknown = tiles.unknown({0, 0, reference.width, reference.height});
@@ -120,7 +120,7 @@ IndependentResult judge_independent(const RenderReplicate& render, const Image& 
         for (int r = 0; r < options.replicates; ++r) {
             Image image = render(seed + static_cast<std::uint32_t>(r), replicates.spp);
             result.soundness = check_soundness(image, reference.width, reference.height);
-            if (!result.soundness.verdict.passed) { // what the first stage measured stays
+            if (!result.soundness.verdict.passed) { // keeps what the first stage measured
                 result.verdict = {
                     false, result.soundness.verdict.sentence, {}, result.verdict.measured};
                 return false;

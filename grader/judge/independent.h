@@ -1,6 +1,6 @@
 // Tier 2: independent random numbers. Renders with seeds that nobody could know, compared with a
-// reference that knows its own error, in every 16 x 16 tile, every 32 x 32 block and the whole
-// image.
+// reference that knows its own error, in every tile of 16 x 16 pixels, in every square of 2 x 2
+// tiles and in the whole image.
 //
 // A suspicion (all tests of the first stage together at alpha) is only believed if the same region,
 // with fresh seeds and twice the samples, differs again in the same direction (again at alpha). A

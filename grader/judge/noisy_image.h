@@ -1,11 +1,11 @@
 // A picture and how well it is known: one image with its own error, or several renders of one scene
 // that differ in nothing but the seed.
 //
-// Pixels are taken as independent, as far as they are: renderers that filter across pixels let
-// neighbours share their noise, and a tile's mean then varies more than its pixels say. How much
-// more is measured between replicates, once for all tiles, since two or three replicates tell
-// little about one of them. What all pixels of an image have in common (one random offset for all)
-// that cannot see: judge_replicates(), with 16 replicates, can.
+// Pixels are taken as independent, but some renderers filter across pixels. Then neighbours share
+// their noise, and the mean over a tile varies more than the errors of its pixels say. How much
+// more is measured from the replicates, once for all tiles, since two or three replicates say
+// little about a single tile. An error that all pixels have in common (one random offset for all)
+// cannot be seen in this way: judge_replicates(), with 16 replicates, can see it.
 #pragma once
 
 #include "grader/judge/moments.h"

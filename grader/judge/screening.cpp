@@ -157,7 +157,8 @@ Screening screen(const Replicates& replicates, const ReferenceTiles& reference, 
             if (std::find(merged.begin(), merged.end(), parent) == merged.end())
                 merged.push_back(parent);
         }
-        // All 32 x 32 blocks are tested in any case; larger ones only where a smaller was merged.
+        // All squares of 2 x 2 tiles are tested in any case; larger squares only where a smaller
+        // one was merged.
         level = size == tile_size ? regions_of(width, height, 2 * tile_size) : merged;
     }
     result.planned += 2;

@@ -1,4 +1,4 @@
-// Geometry of tiles, and sums over blocks of them.
+// The geometry of tiles, and sums over regions that are made of them.
 #include "grader/judge/tiles.h"
 
 #include <algorithm>

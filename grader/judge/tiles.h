@@ -1,5 +1,5 @@
-// Where the judge looks: tiles of 16 x 16 pixels, blocks of them, and the whole image. A mean over
-// a tile has far less noise than a pixel, and still shows one wrong object where a whole-image
+// Where the judge looks: tiles of 16 x 16 pixels, squares of tiles, and the whole image. A mean
+// over a tile has far less noise than a pixel, and still shows one wrong object where a whole-image
 // error does not. Sums over larger regions are sums of tiles, so pixels are read once.
 #pragma once
 

@@ -23,7 +23,7 @@ double size(const glm::dmat2& v) {
 TestResult welch_t(const Estimate& a, const Estimate& b) {
     const double difference = a.mean - b.mean, variance = a.variance + b.variance;
     if (difference == 0) return {0, infinity, 1};
-    // Without any noise a difference is a difference.
+    // If there is no noise at all, any difference is significant.
     if (variance <= 0) return {std::copysign(infinity, difference), infinity, 0};
     TestResult result;
     // As shares of the total: the squares of tiny variances would underflow.

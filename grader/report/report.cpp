@@ -49,7 +49,8 @@ void write_report(const Report& report, const std::string& folder) {
     const std::filesystem::path path(folder);
     prepare_output((path / "report.html").string());
     write_file((path / "report.html").string(), report_html(report));
-    // Text of a student's program may be no UTF-8: it is replaced, not refused.
+    // Text of a student's program may not be valid UTF-8: its wrong bytes are replaced, and nothing
+    // fails.
     write_file((path / "results.json").string(),
                report_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
                    "\n");

@@ -44,7 +44,7 @@ class RecursiveRenderer final : public Renderer {
         const std::size_t stack = stack_bytes_base + stack_bytes_per_bounce * settings_.max_depth;
 
         run_on_threads(std::min(threads_, tiles), stack, [&] {
-            Ledger counts; // each thread counts for itself, and adds up once at the end
+            Ledger counts; // each thread counts for itself; the counts are added up at the end
             for (int tile = next_tile++; tile < tiles; tile = next_tile++)
                 render_tile(tile % columns * tile_size, tile / columns * tile_size, counts);
             add_counts(counts);
@@ -121,8 +121,8 @@ class RecursiveRenderer final : public Renderer {
     }
 
     const Scene& scene_;
-    SceneView view_;          // whose camera is the last restart's,
-    RenderSettings settings_; // and whose seed
+    SceneView view_;          // its camera is the one of the last restart()
+    RenderSettings settings_; // its seed is the one of the last restart()
     Film film_;
     std::vector<PathRecord> records_; // of the last iteration
     int threads_;

@@ -22,7 +22,7 @@ inline BsdfSample scatter(const Material& material, Vec3 reflectance, Vec3 wo, f
     if (material.kind != MaterialKind::diffuse)
         return sample_bsdf<given_materials>(material, reflectance, wo, u_lobe, u);
     BsdfSample sample = scatter_diffuse(reflectance, u);
-    if (wo.z < 0) sample.wi.z = -sample.wi.z; // paper is white on both sides
+    if (wo.z < 0) sample.wi.z = -sample.wi.z; // a diffuse surface reflects on both sides
     return sample;
 }
 
@@ -43,8 +43,9 @@ inline SpecularSplit split_light(const Material& material, Vec3 reflectance, Vec
             reflectance * (1 - split.reflectance), split.reflectance < 1};
 }
 
-// The same three at a surface: around its shading normal, and nothing passes an opaque face (fold.h
-// tells how smooth shading keeps both that and the energy).
+// The same functions at a surface, with directions in the world. The local frame stands around the
+// shading normal. No light passes through an opaque face; fold.h explains how this holds on smooth
+// meshes, and that no energy is lost.
 inline BsdfValue evaluate(const SurfacePoint& surface, const Material& material, Vec3 reflectance,
                           Vec3 wo, Vec3 wi) {
     return fold_value<feature::all>(surface, material, wo, wi, [&](Vec3 local_wo, Vec3 local_wi) {

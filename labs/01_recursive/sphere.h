@@ -25,7 +25,7 @@ inline bool hit_sphere(const Sphere& sphere, const Ray& ray, float& t) {
 
     const double middle = b / a; // t of the line's point nearest to the centre
     const DVec3 nearest = f + middle * d;
-    const bool inside = c < 0; // a sum then, without cancellation, and never negative
+    const bool inside = c < 0; // the discriminant is then a sum: nothing cancels, and it is above 0
     const double discriminant = inside ? b * middle - c : r * r - dot(nearest, nearest);
     if (discriminant < 0) return false;
 

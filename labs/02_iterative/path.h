@@ -36,7 +36,7 @@ HD Vec3 trace_path(const SceneView& scene, const RenderSettings& settings, const
                    Ray ray, PathRecord& record) {
     //[ task 2.1
     Vec3 radiance(0);           // what the path has collected
-    Vec3 throughput(1);         // what is left of light that joins it from here on
+    Vec3 throughput(1);         // factor for the light that the path collects from here on
     float bsdf_pdf = delta_pdf; // density of the direction of `ray`
     record = {};
 

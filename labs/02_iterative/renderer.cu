@@ -131,8 +131,8 @@ class IterativeRenderer final : public Renderer {
     const Scene& host_scene_;
     MachineSettings machine_;
     Features features_;
-    DeviceScene scene_;       // whose camera is the last restart's,
-    RenderSettings settings_; // and whose seed
+    DeviceScene scene_;       // its camera is the one of the last restart()
+    RenderSettings settings_; // its seed is the one of the last restart()
     int pixels_;
     DeviceArray<FilmPixel> film_;
     DeviceArray<PathRecord> records_;

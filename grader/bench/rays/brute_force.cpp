@@ -26,7 +26,7 @@ class EveryTriangle : public RayStructure {
     }
 
   private:
-    // In order of ids, so of equal t the lowest stays.
+    // Tests the triangles in the order of their ids, so that of equal t the lowest id stays.
     RayAnswer closest(const Ray& ray) const {
         const ShearedRay sheared(ray);
         RayAnswer best;

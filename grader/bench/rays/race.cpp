@@ -17,7 +17,7 @@ struct Runner {
     std::vector<double> build_seconds;
 };
 
-// Of one kind of rays: t and triangle, or for any hit 0 and -1 or 0.
+// The answers to one kind of rays: t and triangle; for any-hit rays 0, and -1 or 0.
 using Answers = std::vector<RayAnswer>;
 
 double trace(const RayStructure& structure, const RaySet& set, Answers& answers) {
@@ -36,7 +36,7 @@ bool differ(const RayAnswer& a, const RayAnswer& b, bool exactly) {
     return a.triangle >= 0 && !(std::fabs(a.t - b.t) <= tolerated_t * std::max(a.t, b.t));
 }
 
-// Everybody builds in turns. Who cannot is no runner any more.
+// All build in turns. A contestant that cannot build is removed from `runners`.
 void build_all(std::vector<Runner>& runners, const RayMesh& mesh, const RaceOptions& options,
                const std::function<void()>& after_step) {
     for (int build = 0; build < options.builds; ++build)
@@ -44,7 +44,7 @@ void build_all(std::vector<Runner>& runners, const RayMesh& mesh, const RaceOpti
             Runner& runner = runners[(i + std::size_t(build)) % runners.size()];
             if (!runner.row->failure.empty()) continue;
             try {
-                runner.structure.reset(); // never two at a time
+                runner.structure.reset(); // so that two structures are never in memory together
                 BuiltStructure built = runner.contestant->build(mesh.triangles, options.threads);
                 runner.structure = std::move(built.structure);
                 runner.build_seconds.push_back(built.seconds);
@@ -68,7 +68,7 @@ std::optional<RayCounts> counts_a_ray(const RayStructure& structure, const RaySe
     return counts;
 }
 
-// Every so manieth ray of a set, and what brute force answers.
+// Some rays of a set, evenly chosen from it, and brute force's answers to them.
 struct Verified {
     std::vector<std::size_t> which;
     Answers right;
@@ -86,7 +86,7 @@ Verified verify(const RaySet& set, const RayMesh& mesh, const RaceOptions& optio
     return result;
 }
 
-// Compares one contestant's answers; the rest of the cell is for the rounds.
+// Compares one contestant's answers. The rounds fill in the rest of the cell.
 RayCell judged(const Runner& runner, const RaySet& set, const Answers& answers,
                const Answers& truth, bool truth_is_exact, const Verified& verified) {
     const bool is_exact = runner.contestant->is_exact;
@@ -106,7 +106,7 @@ RayCell judged(const Runner& runner, const RaySet& set, const Answers& answers,
     return cell;
 }
 
-// Everybody once for nothing, which gives the answers; then the rounds.
+// First all trace once untimed, which gives the answers; then come the rounds.
 void race_kind(std::vector<Runner>& runners, std::size_t truth, const RaySet& set,
                const RayMesh& mesh, const RaceOptions& options,
                const std::function<void()>& after_step) {

@@ -1,7 +1,8 @@
 // One mesh: every structure is built, every kind of ray traced, in turns; answers compared.
 //
-// In each round everybody traces the same rays once; who begins moves on by one from round to
-// round. So whatever else the machine does meets all alike, and ratios are formed within a round.
+// In each round every contestant traces the same rays once, and each round begins with the next
+// contestant. So whatever else the machine does affects all alike, and ratios are formed within a
+// round.
 #pragma once
 
 #include "grader/bench/rays/ray_sets.h"
@@ -23,20 +24,20 @@ struct RaceOptions {
     double least_seconds = 0.01; // a contestant traces again in a round until it took this long
 };
 
-// An answer differs if one finds a hit and the other none, or if t differs by more than this share
-// of it; an exact contestant's from another exact one's already by one bit, or by the triangle.
+// Two answers differ if only one of them is a hit, or if their t differ by more than this share.
+// Two exact contestants' answers differ already if a bit of t differs, or the triangle.
 constexpr double tolerated_t = 1e-4;
-// Rays that graze an edge may be answered either way by those that are not exact.
+// Rays that graze an edge may have either answer from a contestant that is not exact.
 constexpr double tolerated_share = 1e-4;
 
 struct RayCell {
     RayKind kind = RayKind::primary;
     Measured mrays;                 // million rays a second
     int differing = 0;              // answers, from the truth's
-    int verified = 0, wrong = 0;    // answers that brute force gave too; others than its
+    int verified = 0, wrong = 0;    // compared with brute force; not equal
     bool agrees = false;            // few enough of both
     std::optional<Measured> ratio;  // over the baseline; only if both agree
-    std::optional<RayCounts> a_ray; // counted in a ray, on average
+    std::optional<RayCounts> a_ray; // of a ray, on average
 };
 
 struct RayRow {
@@ -59,9 +60,9 @@ struct RayRace {
 // How many steps `after_step` is told of.
 int race_steps(const std::vector<RayContestant>& contestants, const RaceOptions& options);
 
-// Answers are compared with those of the first exact contestant that takes part, else of the first;
-// it also leads the rays from hit to hit. One that fails, or has too much to test, becomes a row
-// that says so. Throws ContestantError if nobody is left.
+// Answers are compared with those of the first exact contestant that takes part, or of the first if
+// none is exact. This contestant also traces the rays from hit to hit. One that fails, or has too
+// many tests to make, becomes a row that says so. Throws ContestantError if nobody is left.
 RayRace race(const RayMesh& mesh, const std::vector<RayContestant>& contestants,
              const RaceOptions& options, const std::function<void()>& after_step = {});
 

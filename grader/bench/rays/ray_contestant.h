@@ -28,22 +28,23 @@ struct RayCounts {
     double nodes = 0, triangles = 0;
 };
 
-// What was built. Tracing returns its seconds: from rays in its memory to answers in its memory,
-// so that a GPU's need not tell how long copies take. As many answers as rays.
+// What was built. The tracing functions return their seconds. The time begins with rays in the
+// structure's own memory and ends with answers there, so a GPU's time has no copies in it. There
+// are as many answers as rays.
 class RayStructure {
   public:
     virtual ~RayStructure() = default;
     virtual double closest(std::span<const Ray> rays, std::span<RayAnswer> answers) const = 0;
     virtual double any(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const = 0;
 
-    // The same walks, untimed; nothing where none are counted.
+    // Trace the same rays, untimed, and count. Nothing if the structure does not count.
     virtual std::optional<RayCounts> count_closest(std::span<const Ray>) const { return {}; }
     virtual std::optional<RayCounts> count_any(std::span<const Ray>) const { return {}; }
 };
 
 struct BuiltStructure {
     std::unique_ptr<RayStructure> structure;
-    // From triangles in memory to a structure that can be asked; NaN where nothing is built.
+    // The time from triangles in memory to a structure that can trace; NaN where nothing is built.
     double seconds = 0;
     double bytes = 0; // held besides the triangles given
 };
@@ -51,8 +52,8 @@ struct BuiltStructure {
 struct RayContestant {
     std::string name;  // "embree"
     std::string title; // "Embree 3.13.5, rtcIntersect1, medium quality"
-    // Answers are those of common/geometry to the bit, of equal t the lowest triangle. Others are
-    // held to a tolerance.
+    // Whether answers are those of common/geometry to the bit, the lowest triangle at equal t.
+    // Others are compared with a tolerance.
     bool is_exact = false;
     double most_tests = std::numeric_limits<double>::infinity(); // rays times triangles, in a run
     // tags.id of a triangle is its place. The triangles outlive the structure. Throws

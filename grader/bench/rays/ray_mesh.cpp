@@ -70,8 +70,8 @@ Camera view_from_front(const Bounds& bounds) {
     return pinhole(DVec3(middle.x, middle.y, high.z + half / half_angle_tan), middle);
 }
 
-// At a distance D from the middle a point p, seen from there, is in the picture if both |p . right|
-// and |p . up| are at most tan (D + p . forward).
+// Seen from a distance D from the middle, a point p is in the picture if both |p . right| and |p .
+// up| are at most tan (D + p . forward), with p relative to the middle.
 Camera view_from_above(std::span<const Triangle> triangles) {
     const Bounds bounds = bounds_of(triangles);
     const DVec3 middle = (DVec3(bounds.low) + DVec3(bounds.high)) / 2.0;

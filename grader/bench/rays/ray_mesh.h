@@ -26,11 +26,11 @@ Bounds bounds_of(std::span<const Triangle> triangles);
 // Cornell box's.
 Camera pinhole(DVec3 position, DVec3 look_at);
 
-// Along -z from before the box: its front just fills the film. Sees into a room that is open there,
-// as the peers' meshes stand in one.
+// Looks along -z from before the bounding box, whose front just fills the film. So the camera sees
+// into a room that is open at the front, as the meshes of other programs' benches stand in one.
 Camera view_from_front(const Bounds& bounds);
 
-// From above, in front and to the right, as near as leaves all of it in the picture.
+// Looks from above, from the front and from the right, as close as still shows the whole mesh.
 Camera view_from_above(std::span<const Triangle> triangles);
 
 // A scene's triangles, and its quads as two each, seen by its camera. These throw SceneError if
@@ -40,8 +40,8 @@ RayMesh polygons_of(const Scene& scene);
 // .obj, .gltf or .glb, seen from the front.
 RayMesh load_ray_mesh(const std::filesystem::path& file);
 
-// A mesh made by a program (common/load/procedural), seen from above, and the stadium's flake from
-// near.
+// A mesh made by a program (common/load/procedural), seen from above. The stadium is seen from
+// close to its flake.
 RayMesh procedural_ray_mesh(const std::string& kind, int triangles, std::uint32_t seed);
 
 } // namespace raylab::bench

@@ -1,9 +1,9 @@
 // The rays of a bench: what a path tracer asks, one kind at a time.
 //
-// From the camera's hits go a shadow ray, a ray of ambient occlusion and a diffuse bounce; from
-// that bounce's hits the next. So all kinds but the first are spread over the mesh as light is.
-// They are those that the figures in the literature are for (T. Aila, S. Laine, "Understanding the
-// Efficiency of Ray Traversal on GPUs", HPG 2009).
+// From the hits of the camera's rays start a shadow ray, a ray of ambient occlusion and a diffuse
+// bounce; from the hits of that bounce starts the second bounce. So all kinds but the first are
+// spread over the mesh as light is. Figures in the literature are for these kinds (T. Aila, S.
+// Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009).
 #pragma once
 
 #include "grader/bench/rays/ray_contestant.h"
@@ -31,9 +31,10 @@ struct RaySet {
     std::vector<Ray> rays;
 };
 
-// All kinds, in their order. Random numbers are a function of the seed, the kind and the ray that
-// came before. Rays that leave a surface start a thousandth of the way before it, on the ray that
-// came to it: there nothing is in the way, whatever a contestant's offsets and tolerances are.
+// All kinds, in their order. Random numbers are a function of the seed, the kind and the number of
+// the ray before. Rays that leave a surface start on the ray that came to it, a thousandth of the
+// way before the surface. Nothing is in the way there, whatever a contestant's offsets and
+// tolerances are.
 std::vector<RaySet> make_ray_sets(const RayMesh& mesh, const RayStructure& tracer,
                                   std::uint32_t seed);
 

@@ -21,7 +21,7 @@ RaySummary summary(const RaysBench& bench, const std::string& name) {
     std::vector<double> logs(std::size_t(bench.options.rounds), 0), medians;
     int cells = 0;
     for (const RayRace& race : bench.races) {
-        // No rays, no cell: nothing was hit.
+        // A kind without rays has no cell: nothing was hit that they could start from.
         cells += int(std::count_if(race.ray_counts.begin(), race.ray_counts.end(),
                                    [](int count) { return count > 0; }));
         const RayRow* row = find_row(race, name);

@@ -23,7 +23,7 @@ double true_mse(int spp) {
     return sum / (3.0 * size * size);
 }
 
-// A reference of no more samples than the render itself, which says so by its standard error.
+// A reference with no more samples than the render, which its standard error shows.
 Image noisy_reference(int spp) {
     Image reference = simulated::render(size, size, 99, spp, Noise::pixel);
     for (int y = 0; y < size; ++y)

@@ -51,7 +51,8 @@ TEST(Evaluate, FindsStartUpSlopeErrorAndRatio) {
     EXPECT_THAT(rows[1].remarks, IsEmpty());
 }
 
-// From the reference the error is the same, also if the reference is no better than the render.
+// The error measured from a reference is the same, even if the reference is no better than the
+// render.
 TEST(Evaluate, ErrorsFromAReferenceAndFromPairsAreTheSame) {
     const Image reference = raylab::simulated::reference(
         simulated_bench::size, simulated_bench::size, 5, raylab::simulated::Noise::pixel, 64);
@@ -128,7 +129,7 @@ TEST(Evaluate, SaysWhenTheFitDoesNotHold) {
     EXPECT_THAT(rows[0].remarks, ElementsAre(HasSubstr("falls as n^-1.")));
 }
 
-// In the first `disturbed` of 5 rounds the few samples take longer than the many; in the others a
+// In the first `disturbed` of 5 rounds, few samples take longer than many. In the other rounds a
 // sample takes 100, 101, ... ms.
 std::vector<Row> rows_with_disturbed_rounds(int disturbed, const std::string& baseline) {
     int runs = -1; // the first is not timed
@@ -158,7 +159,8 @@ TEST(Evaluate, ADisturbedRoundOpensAnEndAndLeavesTheMedianAmongTheGoodOnes) {
     EXPECT_EQ(row.speed_ratio->high, INFINITY);
     EXPECT_THAT(row.remarks, ElementsAre(HasSubstr("in 1 of 5 rounds: they were disturbed")));
     EXPECT_THAT(rows[1].remarks, IsEmpty());
-    // Of the baseline: the ratio's other end. Over itself the round says nothing.
+    // If the disturbed contestant is the baseline, the ratio is open at the other end. Its ratio to
+    // itself does not depend on the round.
     const auto over_it = rows_with_disturbed_rounds(1, "a");
     EXPECT_EQ(over_it[1].speed_ratio->low, -INFINITY);
     EXPECT_NEAR(over_it[1].speed_ratio->median, 102 / 50.0, 1e-9);

@@ -30,8 +30,8 @@ TEST(Median, IntervalHasTheStatedCoverage) {
     EXPECT_EQ(m.high, 8);
 }
 
-// The distribution is skewed: mean +- t s / sqrt(n), which assumes a normal one, is about the wrong
-// number. False alarms of this test: 4 sigma, 6e-5.
+// The distribution is skewed, so mean +- t s / sqrt(n), which assumes a normal distribution, holds
+// another number than the median. False alarms of this test: 4 sigma, 6e-5.
 TEST(Median, IntervalHoldsTheMedianOfDisturbedTimesAsOftenAsStated) {
     std::mt19937 random(1);
     std::vector<double> many;
@@ -87,9 +87,9 @@ TEST(Median, CountsWhatMayLieAnywhereAtBothEnds) {
     EXPECT_TRUE(measured({1}).is_known());
 }
 
-// Slopes on a shared machine that came out too small as often as too large, one in ten below 0 and
-// known as that alone. Left out, they would pull the median up. Where nothing is known (0.1 % of
-// the trials) the truth counts as missed. False alarms: 4 sigma, 6e-5.
+// Slopes on a shared machine, too small as often as too large. One in ten is below 0, and only that
+// is known of it. If these were left out, the median would be too large. In 0.1 % of the trials
+// nothing is known; these count as if the interval missed the truth. False alarms: 4 sigma, 6e-5.
 TEST(Median, HoldsTheTruthThroughDisturbedRoundsAsOftenAsStated) {
     std::mt19937 random(3);
     std::normal_distribution<double> slope(1, 0.78); // P(slope < 0) = 0.1

@@ -60,7 +60,7 @@ TEST_F(Release, ALineOfASolutionIsFoundWhereverItStandsAndHoweverItIsSpaced) {
     EXPECT_EQ(found[1], "scenes/README.md:1: int one = first_factor * second_factor;");
 }
 
-// Students of lab 07 are yet to write lab 08; those of lab 09 have done so.
+// Students of lab 07 will write lab 08 later; students of lab 09 have written it already.
 TEST_F(Release, WhatALaterLabWithholdsStaysBehindToo) {
     write("common/kernel.cu", "__global__ void the_answer_of_another_lab();\n");
     const auto other = [&](const std::string& number) {

@@ -18,7 +18,7 @@ class Verdicts : public TemporaryTree {
         return judge_task(lab, task, RAYLAB_FAKE_LAB);
     }
 
-    // The tool failed, and neither the lab nor its sheet, which a CourseError would blame.
+    // Expects an error of the tool, and no CourseError, which would blame the lab or its sheet.
     void expect_not_judged(const std::string& filter) const {
         try {
             judge("7.9", filter);
@@ -96,7 +96,8 @@ TEST_F(Verdicts, AMissingTestProgramIsNobodysWrongAnswer) {
     EXPECT_THROW(judge_task(lab, lab.tasks.front(), root / "not-built"), std::runtime_error);
 }
 
-// Whatever a program's exit code is: what did not run gives no points, and is nobody's mistake.
+// A test that did not run gives no points, whatever the program's exit code is, and is not counted
+// as the student's mistake.
 TEST_F(Verdicts, WhatDidNotRunIsNotJudged) {
     for (const char* filter : {"None.*", "Skipping.*", "Disabled.*", "WithoutGpu.*"})
         expect_not_judged(filter);

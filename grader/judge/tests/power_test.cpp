@@ -70,8 +70,8 @@ TEST(Power, AReferenceThatIsTooNoisyIsSaid) {
     EXPECT_THAT(r.verdict.hints.at(0), HasSubstr("the reference's own"));
 }
 
-// An error of 1 % at c = 0.5 needs about 145 samples a pixel on 32 x 32 tiles; here it is confined
-// to one of them, with 256 samples in the first stage.
+// An error of 1 % at c = 0.5 needs about 145 samples a pixel in a square of 2 x 2 tiles. Here it is
+// confined to one such square, with 256 samples in the first stage.
 TEST(Power, OnePercentInOneBlockIsFound) {
     int found = 0;
     for (std::uint32_t seed = 0; seed < 10; ++seed)
@@ -236,7 +236,8 @@ TEST(Honesty, VarianceIsComparedWithTheReferenceAndWithTwiceTheSamples) {
     EXPECT_NEAR(honest.tile_ratio, 1, 0.3);
     EXPECT_TRUE(honest.hints.empty());
 
-    // Five times the samples are claimed as one: too little noise. A fifth: too much.
+    // Replicates that say how many samples they have give no hint. Replicates of 80 and of 3
+    // samples that claim 16 have too little noise and too much.
     EXPECT_EQ(check_honesty(replicates(side, side, 3, 16 * 5, Noise::pixel), known).hints.size(),
               0u);
     Replicates cached = replicates(side, side, 3, 16 * 5, Noise::pixel),

@@ -94,7 +94,7 @@ TEST(Report, CaptionsAreComputedFromTheData) {
     EXPECT_THAT(report_html(report), HasSubstr("Lanes alive rise from 50.0 %"));
 }
 
-// The figures are the judge's, whatever the pictures would give.
+// The figures are those that the judge measured, even if the pictures would give others.
 TEST(Report, MeasuresNothingItself) {
     Report report = some_report();
     report.entries.resize(1);

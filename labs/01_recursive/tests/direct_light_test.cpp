@@ -74,7 +74,7 @@ TEST(Task1_3, LightFromBelowDoesNotReachTheFloorsUpperSide) {
 // rectangle A x B (in units of its distance) has the form factor
 //     F = (A / sqrt(1 + A^2) atan(B / sqrt(1 + A^2)) + B / sqrt(1 + B^2) atan(A / sqrt(1 + B^2))) /
 //     2 pi
-// and the middle is the corner of four.
+// and the point under the middle is a corner of four such rectangles.
 Scene lamp_square() {
     return small_scene({floor_material + R"(, "lamp": {"kind": "diffuse", "reflectance": [0, 0, 0],
                                               "emission": [3, 3, 3]})",

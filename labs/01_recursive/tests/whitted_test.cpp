@@ -52,7 +52,8 @@ TEST(Task1_4, EachMirrorDimsWhatItShows) {
     expect_equal("rays counted", traced.record.length, 3, "record_hit() is called once a ray");
 }
 
-// From the centre of a mirror sphere that glows, a ray goes to and fro: 1 + 1/2 + 1/4 + ...
+// From the centre of a glowing mirror sphere, a ray is reflected back and forth: 1 + 1/2 + 1/4 +
+// ...
 TEST(Task1_4, TheRecursionEndsAtMaxDepth) {
     for (const int depth : {1, 2, 5}) {
         const Scene scene = small_scene(

@@ -143,7 +143,7 @@ TEST(Task2_1, WhittedsShadowRaysReachEveryLight) {
                 1e-4, "a diffuse surface adds throughput * the shadow rays to all lights");
 }
 
-// Whatever probability of survival is chosen: the mean over u of what goes on is what came.
+// Whatever the probability of survival is, the mean of the new throughput over u is the old one.
 TEST(Task2_5, RouletteLeavesTheMean) {
     constexpr int n = 1 << 14;
     for (const Vec3 throughput :

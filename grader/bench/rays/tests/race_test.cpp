@@ -1,4 +1,4 @@
-// Turns, ratios, and that a wrong answer costs them.
+// Turns, ratios, and that a contestant with wrong answers gets no ratio.
 #include "grader/bench/rays/race.h"
 
 #include "grader/bench/rays/rays_bench.h"
@@ -41,7 +41,7 @@ TEST(Race, WhoBeginsMovesOn) {
     RaceOptions options = against("a");
     options.kinds = {RayKind::ao};
     race(small_mesh(), {fake("a", logged), fake("b", logged), fake("c", logged)}, options);
-    // The last fifteen: before them answers are fetched and rays made.
+    // The last fifteen calls are the rounds. The calls before them fetch answers and make rays.
     const std::vector<std::string> rounds(log.end() - 15, log.end());
     EXPECT_THAT(rounds, testing::ElementsAre("a", "b", "c", "b", "c", "a", "c", "a", "b", "a", "b",
                                              "c", "b", "c", "a"));
@@ -94,7 +94,7 @@ TEST(Race, WhoCannotTakePartIsARowThatSaysWhy) {
 }
 
 TEST(Race, BruteForceVerifiesSomeWhenNobodyElseCan) {
-    // All are wrong in the same way: they agree with each other.
+    // All contestants are wrong in the same way, so they agree with each other.
     const auto miss = [](std::span<RayAnswer> answers) {
         for (RayAnswer& a : answers) a = {};
     };
@@ -123,7 +123,7 @@ TEST(Race, AShortRunIsRepeatedUntilItCanBeTimed) {
     options.kinds = {RayKind::primary};
     options.least_seconds = 1e-4; // 256 rays at 100 ns are 25.6 us: four times
     const RayRace result = race(small_mesh(), {fake("a", logged)}, options);
-    // Two to make the rays, two for the answers of the truth and its own.
+    // Two calls make the rays, one gives the truth's answers, and one gives the contestant's own.
     EXPECT_EQ(log.size(), 4u + 5 * 4);
     EXPECT_NEAR(result.rows[0].cells[0].mrays.median, 10, 1e-9);
 }
