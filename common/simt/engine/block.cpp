@@ -2,11 +2,17 @@
 #include "common/simt/engine/block.h"
 
 #include "common/simt/collectives.h"
+#include "common/simt/engine/findings.h"
+#include "common/simt/engine/launch_watch.h"
+#include "common/simt/engine/machine.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/switch.h"
 
 #include <algorithm>
 #include <bit>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 
@@ -14,10 +20,15 @@ namespace raylab::simt {
 
 constinit thread_local Block* current_block = nullptr;
 
-Block::Block(const Options& options) : options_(options), fibers_(options.stack_size) {}
+Block::Block(const Options& options) : options_(options), fibers_(options.stack_size) {
+    enrol(*this);
+}
+
+Block::~Block() { strike_off(*this); }
 
 bool Block::run(const Work& work, uint3 index) {
     begin(work, index);
+    if (!fault_.empty()) return false;
     home_ = native_fiber();
     announce_release(&begun_);
     if (one_stack_per_thread) fibers_.reclaim();
@@ -27,11 +38,15 @@ bool Block::run(const Work& work, uint3 index) {
     }
     Block* outer = std::exchange(current_block, this);
     current_ = fibers_.take();
+    runs_on_ = pthread_self();
+    is_running_ = true;
     if (current_)
         switch_fiber(home_, *current_);
     else
         fault_ = Report(*this).no_stacks();
+    is_running_ = false;
     current_block = outer;
+    if (crash_.signal != 0) fault_ = Report(*this).crashed(crash_);
     if (fault_.empty()) return true;
     fibers_.reclaim();
     return false;
@@ -62,11 +77,9 @@ void Block::begin(const Work& work, uint3 index) {
     in_operation_.fill(0);
     converging_.fill(0);
     fault_.clear();
-    size_t units = (work.launch.shared_bytes + sizeof(float4) - 1) / sizeof(float4);
-    // In a check build exactly what was asked for, so that its end is known, and full of NaNs.
-    if (check_build ? shared_.size() != units : shared_.size() < units)
-        std::vector<float4>(units).swap(shared_);
-    if (check_build && units) std::memset(shared_.data(), 0xff, units * sizeof(float4));
+    fault_code_ = cudaErrorLaunchFailure;
+    crash_.signal = 0;
+    if (!shared_.resize(work.launch.shared_bytes)) fault_ = Report(*this).no_stacks();
 }
 
 void Block::stack_main() {
@@ -249,11 +262,45 @@ unsigned Block::active_mask(const Site& site) {
     return unsigned(waiter.value);
 }
 
-void Block::give_up(std::string fault) {
+void Block::give_up(std::string fault, cudaError_t code) {
     fault_ = std::move(fault);
+    fault_code_ = code;
     announce_release(work_->finished);
     switch_fiber(*current_, home_, true);
     __builtin_unreachable();
+}
+
+void Block::crash(const Fault& fault) {
+    crash_ = fault;
+    fault_code_ = fault.signal == SIGSEGV || fault.signal == SIGBUS ? cudaErrorIllegalAddress
+                                                                    : cudaErrorLaunchFailure;
+    if (check_build) {
+        remember_fault(fault_code_, Report(*this).crashed(fault));
+        write_summary();
+        std::fflush(stdout);
+        std::_Exit(1);
+    }
+    switch_fiber(*current_, home_, true);
+    __builtin_unreachable();
+}
+
+void Block::fail_assertion(const char* condition, const char* file, int line) {
+    give_up(Report(*this).failed_assertion(condition, file, line), cudaErrorAssert);
+}
+
+void Block::overwrite(const void* end_of_function) {
+    give_up(Report(*this).overwritten(end_of_function), cudaErrorIllegalAddress);
+}
+
+bool Block::is_stack_overflow(const void* address) const {
+    const auto byte = static_cast<const char*>(address);
+    return current_ && byte < current_->bottom && byte >= current_->bottom - stack_guard_bytes;
+}
+
+bool Block::interrupt(int signal) { return is_running_ && pthread_kill(runs_on_, signal) == 0; }
+
+std::string Block::still_running(const Fault& fault, double seconds) const {
+    return Report(*this).still_running(fault, seconds);
 }
 
 void Block::trap(const Site& site) { give_up(Report(*this).trapped(site)); }

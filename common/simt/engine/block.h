@@ -6,13 +6,18 @@
 // and get their turns in the same order. A thread that has ended lets its stack go.
 #pragma once
 
+#include "common/simt/engine/faults.h"
 #include "common/simt/engine/fiber.h"
+#include "common/simt/engine/shared_memory.h"
 #include "common/simt/launch.h"
 #include "common/simt/options.h"
+#include "common/simt/runtime_errors.h"
 #include "common/simt/site.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <pthread.h>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,10 +40,14 @@ enum class Wait { block, warp, vote, shuffle, converge };
 class Block {
   public:
     explicit Block(const Options& options);
+    ~Block();
+    Block(const Block&) = delete;
+    Block& operator=(const Block&) = delete;
 
     // Runs the block with the given index. Returns false on a fault, which fault() then explains.
     bool run(const Work& work, uint3 index);
     const std::string& fault() const { return fault_; }
+    cudaError_t fault_code() const { return fault_code_; }
 
     // The operations of collectives.h, for the thread that is running.
     int sync_block(const Site& site, int predicate);
@@ -46,7 +55,17 @@ class Block {
     unsigned active_mask(const Site& site);
     [[noreturn]] void trap(const Site& site);
 
+    // For a handler of signals, and for assert(): the running thread does not go on.
+    [[noreturn]] void crash(const Fault& fault);
+    [[noreturn]] void fail_assertion(const char* condition, const char* file, int line);
+    [[noreturn]] void overwrite(const void* end_of_function);
+
     void* shared() { return shared_.data(); }
+
+    // For the watchdog, which is another thread: sends the signal to the thread that runs the
+    // block, if one does; and says where the CUDA thread is that has run for so long.
+    bool interrupt(int signal);
+    std::string still_running(const Fault& fault, double seconds) const;
 
     // Of the latest run.
     size_t threads() const { return size_t(count_); }
@@ -87,7 +106,8 @@ class Block {
     bool release_converged();
     void go_on(int thread);
     unsigned existing(int warp) const;
-    [[noreturn]] void give_up(std::string fault);
+    [[noreturn]] void give_up(std::string fault, cudaError_t code = cudaErrorLaunchFailure);
+    bool is_stack_overflow(const void* address) const;
 
     Options options_;
     std::minstd_rand random_;
@@ -95,7 +115,11 @@ class Block {
     Fiber home_;
     Fiber* current_ = nullptr;
     const Work* work_ = nullptr;
+    std::atomic<bool> is_running_{false};
+    pthread_t runs_on_{};
     std::string fault_;
+    cudaError_t fault_code_ = cudaErrorLaunchFailure;
+    Fault crash_; // a signal's, until it is explained
 
     // Threads by number (x first, then y, then z), and the order in which they start.
     int count_ = 0, started_ = 0, running_ = 0, waiting_ = 0;
@@ -118,7 +142,7 @@ class Block {
     std::array<unsigned, max_warps> in_operation_;
     std::array<unsigned, max_warps> converging_;
 
-    std::vector<float4> shared_; // dynamic shared memory, 16 bytes each
+    SharedMemory shared_; // dynamic
 
     // What ThreadSanitizer is told to have met. They alternate, so that a late leaver does not see
     // those who are already at the next barrier.

@@ -68,7 +68,7 @@ static size_t page_bytes() {
 }
 
 static char* allocate_stack(size_t bytes) {
-    size_t guard = page_bytes();
+    constexpr size_t guard = stack_guard_bytes;
     void* memory = mmap(nullptr, guard + bytes, PROT_READ | PROT_WRITE,
                         MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
     if (memory == MAP_FAILED) return nullptr;
@@ -79,7 +79,7 @@ static char* allocate_stack(size_t bytes) {
     return static_cast<char*>(memory) + guard;
 }
 static void free_stack(char* bottom, size_t bytes) {
-    munmap(bottom - page_bytes(), page_bytes() + bytes);
+    munmap(bottom - stack_guard_bytes, stack_guard_bytes + bytes);
 }
 
 FiberPool::FiberPool(size_t stack_bytes)

@@ -26,7 +26,10 @@ void enter_fiber();
 // Describes the calling operating system thread's own stack.
 Fiber native_fiber();
 
-// The fibers of one worker. Below each stack lies a page that may not be touched.
+// Below each stack lie as many bytes that may not be touched: more than most local arrays have.
+inline constexpr size_t stack_guard_bytes = size_t(64) << 10;
+
+// The fibers of one worker.
 class FiberPool {
   public:
     explicit FiberPool(size_t stack_bytes);

@@ -65,6 +65,8 @@ void record(Finding finding) {
     out().write(to_json_line(finding));
 }
 
+bool records_findings() { return out().is_open(); }
+
 // Written again whenever the number of launches has doubled, for programs that are killed.
 void count_launch(std::uint64_t threads) {
     counts().threads += threads;

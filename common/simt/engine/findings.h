@@ -11,6 +11,9 @@ namespace raylab::simt {
 // RAYLAB_FINDINGS; does nothing without one. Any thread may call.
 void record(Finding finding);
 
+// Whether anybody reads findings.
+bool records_findings();
+
 // The finding that a report of the engine is about ("f.cu:8: error: ..."; see report.h).
 Finding finding_of_report(const std::string& report);
 

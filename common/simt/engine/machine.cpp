@@ -2,11 +2,13 @@
 #include "common/simt/engine/machine.h"
 
 #include "common/simt/engine/findings.h"
+#include "common/simt/engine/launch_watch.h"
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/workers.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -19,10 +21,32 @@ namespace {
 
 constexpr size_t usual_shared = 48 << 10, most_shared = 99 << 10; // bytes a block may have
 
+// RAYLAB_ORDER is forward, reverse, random or random:SEED. RAYLAB_REPORTS=0 keeps stderr to the
+// program: who reads the findings has them already.
+Options options_of_environment() {
+    Options options;
+    if (const char* reports = std::getenv("RAYLAB_REPORTS"))
+        options.print_reports = std::string(reports) != "0";
+    const char* text = std::getenv("RAYLAB_ORDER");
+    const std::string order = text ? text : "";
+    if (order.empty() || order == "forward") return options;
+    if (order == "reverse") {
+        options.order = Order::reverse;
+    } else if (unsigned long long seed = 1;
+               order == "random" || std::sscanf(text, "random:%llu", &seed) == 1) {
+        options.order = Order::random;
+        options.seed = seed;
+    } else {
+        end_with_message("error: RAYLAB_ORDER is '" + order +
+                         "'\n  expected: forward, reverse, random or random:SEED");
+    }
+    return options;
+}
+
 // CUDA's runtime is one for the whole process, and so is this.
 struct Machine {
     std::mutex launching; // one launch at a time
-    Options options;
+    Options options = options_of_environment();
     std::unique_ptr<Workers> workers; // made by the first launch after the options were set
 
     std::mutex state;
@@ -153,11 +177,19 @@ std::string last_report() {
 
 bool check_argument(const Launch& launch, int index, const void* pointer) {
     if (!pointer || look_up(pointer).known || sticky_error() != cudaSuccess) return true;
-    remember_fault(cudaErrorIllegalAddress,
-                   place(launch.file, launch.line) + ": error: kernel " + launch.kernel +
-                       " is given a host pointer as argument " + std::to_string(index) +
-                       "\n  expected: a pointer from cudaMalloc() that was not freed\n  to do: "
-                       "copy the data to device memory with cudaMemcpy() and give that");
+    const std::string start =
+        place(launch.file, launch.line) + ": error: kernel " + launch.kernel + " is given a ";
+    const std::string argument = " pointer as argument " + std::to_string(index);
+    if (std::string freed = describe_freed(pointer); !freed.empty())
+        remember_fault(cudaErrorIllegalAddress,
+                       start + "freed" + argument + ": " + freed +
+                           "\n  expected: a pointer from cudaMalloc() that was not freed\n  to do: "
+                           "free the memory after the last launch that uses it");
+    else
+        remember_fault(cudaErrorIllegalAddress,
+                       start + "host" + argument +
+                           "\n  expected: a pointer from cudaMalloc() that was not freed\n  to do: "
+                           "copy the data to device memory with cudaMemcpy() and give that");
     return false;
 }
 
@@ -180,9 +212,10 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
     count_launch(uint64_t(grid.x) * grid.y * grid.z * block.x * block.y * block.z);
     auto finished = std::make_unique<char>();
     DeviceAccess access;
-    std::string fault = machine().workers->run({launch, thread_main, arguments, finished.get()});
+    LaunchWatch watch;
+    auto fault = machine().workers->run({launch, thread_main, arguments, finished.get()});
     announce_acquire(finished.get());
-    if (!fault.empty()) remember_fault(cudaErrorLaunchFailure, fault);
+    if (fault.code != cudaSuccess) remember_fault(fault.code, fault.report);
 }
 
 } // namespace raylab::simt

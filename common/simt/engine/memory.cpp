@@ -14,6 +14,8 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <optional>
+#include <unistd.h>
 
 namespace raylab::simt {
 
@@ -25,11 +27,23 @@ struct Allocation {
     Where where;
 };
 
-constexpr size_t alignment = 256; // of cudaMalloc()
+constexpr size_t alignment = 256;     // of cudaMalloc()
+constexpr size_t most_freed = 10'000; // allocations that are remembered after their end
+
+size_t physical_bytes() {
+    static const size_t bytes = size_t(sysconf(_SC_PHYS_PAGES)) * size_t(sysconf(_SC_PAGESIZE));
+    return bytes;
+}
+
+struct Freed {
+    Allocation allocation;
+    Where where;
+};
 
 class Memory {
   public:
     void* allocate(size_t bytes, MemoryKind kind, const Where& where) {
+        if (bytes > physical_bytes()) return nullptr; // a sanitizer's heap would end the program
         void* pointer = ::operator new(bytes, std::align_val_t(alignment), std::nothrow);
         if (!pointer) return nullptr;
         if (check_build) std::memset(pointer, 0xff, bytes); // uninitialised floats are NaNs
@@ -37,11 +51,13 @@ class Memory {
         return pointer;
     }
 
-    bool release(void* pointer, MemoryKind kind) {
+    bool release(void* pointer, MemoryKind kind, const Where& where) {
         std::lock_guard lock(mutex_);
         auto found = allocations_.find(uintptr_t(pointer));
         if (found == allocations_.end() || found->second.kind != kind) return false;
         allow(pointer, found->second.bytes);
+        if (freed_.size() >= most_freed) freed_.clear();
+        freed_.insert_or_assign(uintptr_t(pointer), Freed{found->second, where});
         allocations_.erase(found);
         ::operator delete(pointer, std::align_val_t(alignment));
         return true;
@@ -50,6 +66,12 @@ class Memory {
     void add(const void* pointer, const Allocation& allocation) {
         std::lock_guard lock(mutex_);
         allocations_.insert({uintptr_t(pointer), allocation});
+        const uintptr_t end = uintptr_t(pointer) + allocation.bytes;
+        for (auto next = freed_.lower_bound(end); next != freed_.begin();) {
+            --next;
+            if (next->first + next->second.allocation.bytes <= uintptr_t(pointer)) break;
+            next = freed_.erase(next);
+        }
         if (allocation.kind == MemoryKind::device && accesses_ == 0)
             forbid(pointer, allocation.bytes);
     }
@@ -62,6 +84,35 @@ class Memory {
         size_t offset = uintptr_t(pointer) - start;
         if (offset > allocation.bytes) return {};
         return {true, allocation.kind, offset, allocation.bytes, allocation.where};
+    }
+
+    std::optional<std::pair<size_t, Freed>> look_up_freed(const void* pointer) {
+        std::lock_guard lock(mutex_);
+        auto next = freed_.upper_bound(uintptr_t(pointer));
+        if (next == freed_.begin()) return {};
+        --next;
+        const size_t offset = uintptr_t(pointer) - next->first;
+        if (offset >= next->second.allocation.bytes) return {};
+        return std::pair(offset, next->second);
+    }
+
+    // The allocation that begins or ends nearest to an address outside of all: how far it is, and
+    // whether the address comes after.
+    struct Nearest {
+        size_t distance;
+        bool after;
+        Allocation allocation;
+    };
+    std::optional<Nearest> nearest(const void* pointer) {
+        std::lock_guard lock(mutex_);
+        std::optional<Nearest> nearest;
+        const uintptr_t address = uintptr_t(pointer);
+        for (const auto& [start, allocation] : allocations_) {
+            const bool after = address >= start;
+            const size_t distance = after ? address - start - allocation.bytes : start - address;
+            if (!nearest || distance < nearest->distance) nearest = {distance, after, allocation};
+        }
+        return nearest;
     }
 
     void begin_access() {
@@ -109,6 +160,7 @@ class Memory {
   private:
     std::mutex mutex_;
     std::map<uintptr_t, Allocation> allocations_; // by first address
+    std::map<uintptr_t, Freed> freed_;            // likewise, with nothing new there yet
     int accesses_ = 0;
 };
 
@@ -132,13 +184,14 @@ cudaError_t allocate(void** pointer, size_t bytes, MemoryKind kind, const Where&
 }
 
 cudaError_t release(void* pointer, MemoryKind kind, const Where& where) {
-    if (!pointer || memory().release(pointer, kind)) return sticky_error();
+    if (!pointer || memory().release(pointer, kind, where)) return sticky_error();
     Target target = look_up(pointer);
+    const std::string freed = describe_freed(pointer);
     return refuse(cudaErrorInvalidValue,
                   place(where) + ": error: " +
-                      (target.known
-                           ? "to be freed is " + describe(target)
-                           : "the pointer to be freed is not, or no longer, device memory") +
+                      (target.known     ? "to be freed is " + describe(target)
+                       : !freed.empty() ? "to be freed is what was freed before: " + freed
+                                        : "the pointer to be freed is not device memory") +
                       "\n  expected: a pointer as the allocation gave it, once");
 }
 
@@ -148,12 +201,35 @@ void register_symbol(const void* symbol, size_t bytes, const Where& where) {
 
 Target look_up(const void* pointer) { return memory().look_up(pointer); }
 
+static std::string bytes_of(size_t bytes, MemoryKind kind, const Where& where) {
+    const char* giver = kind == MemoryKind::device        ? "cudaMalloc() gave at "
+                        : kind == MemoryKind::pinned_host ? "cudaMallocHost() gave at "
+                                                          : "a device symbol has, used at ";
+    return std::to_string(bytes) + " bytes that " + giver + place(where);
+}
+
 std::string describe(const Target& target) {
-    const char* giver = target.kind == MemoryKind::device        ? "cudaMalloc() gave at "
-                        : target.kind == MemoryKind::pinned_host ? "cudaMallocHost() gave at "
-                                                                 : "a device symbol has, used at ";
-    return "byte " + std::to_string(target.offset) + " of the " + std::to_string(target.bytes) +
-           " bytes that " + giver + place(target.where);
+    return "byte " + std::to_string(target.offset) + " of the " +
+           bytes_of(target.bytes, target.kind, target.where);
+}
+
+std::string describe_freed(const void* address) {
+    const auto found = memory().look_up_freed(address);
+    if (!found) return {};
+    const auto& [offset, freed] = *found;
+    return "byte " + std::to_string(offset) + " of the " +
+           bytes_of(freed.allocation.bytes, freed.allocation.kind, freed.allocation.where) +
+           " and that were freed at " + place(freed.where);
+}
+
+std::string describe_address(const void* address) {
+    if (const Target target = look_up(address); target.known) return describe(target);
+    if (std::string freed = describe_freed(address); !freed.empty()) return freed;
+    const auto nearest = memory().nearest(address);
+    if (!nearest) return "and nothing was allocated";
+    return std::to_string(nearest->distance) + " bytes " + (nearest->after ? "after" : "before") +
+           " the " +
+           bytes_of(nearest->allocation.bytes, nearest->allocation.kind, nearest->allocation.where);
 }
 
 DeviceAccess::DeviceAccess() { memory().begin_access(); }

@@ -23,6 +23,14 @@ Target look_up(const void* pointer);
 // "byte 12 of the 400 bytes that cudaMalloc() gave at f.cu:33"
 std::string describe(const Target& target);
 
+// "byte 12 of the 400 bytes that cudaMalloc() gave at f.cu:33 and cudaFree() took at f.cu:40", if
+// the address was in such memory, which was not given out again since; else nothing.
+std::string describe_freed(const void* address);
+
+// What is at, or nearest to, an address that cannot be used: "4 bytes after the 400 bytes that
+// ...".
+std::string describe_address(const void* address);
+
 // While one of these lives, AddressSanitizer lets its thread use device memory.
 class DeviceAccess {
   public:

@@ -36,8 +36,12 @@ std::string Report::thread_name(int thread) const {
 
 // "f.cu:41: error: WHAT" and below it which kernel, block and thread.
 std::string Report::head(const Site& site, const std::string& what, int thread) const {
+    return head(place(site), what, thread);
+}
+
+std::string Report::head(const std::string& where, const std::string& what, int thread) const {
     const Launch& launch = block_.work_->launch;
-    return place(site) + ": error: " + what + "\n  kernel " + launch.kernel + ", launched at " +
+    return where + ": error: " + what + "\n  kernel " + launch.kernel + ", launched at " +
            place(launch.file, launch.line) + ", grid " + to_string(launch.grid) + ", block size " +
            to_string(launch.block) + "\n  block " + to_string(blockIdx) + ", " +
            thread_name(thread) + "\n";

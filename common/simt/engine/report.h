@@ -19,6 +19,14 @@ class Report {
     std::string not_in_mask(const Site& site, unsigned mask) const;
 
     std::string trapped(const Site& site) const;
+
+    // crash_report.cpp: the processor stopped the running thread; an assert() of its failed; it
+    // wrote over its own stack, as is seen where a function ends; it has run for so long.
+    std::string crashed(const Fault& fault) const;
+    std::string failed_assertion(const char* condition, const char* file, int line) const;
+    std::string overwritten(const void* pc) const;
+    std::string still_running(const Fault& fault, double seconds) const;
+
     std::string no_stacks() const;
 
     // "thread (3,0,0) of block (0,0,0) of kernel k"
@@ -29,7 +37,10 @@ class Report {
     std::string different_operations(int thread, int other) const;
     std::string different_barriers() const;
     std::string exited_before_barrier() const;
+    std::string bad_address(const Fault& fault) const;
+    std::string head(const Fault& fault, const std::string& what) const;
     std::string head(const Site& site, const std::string& what, int thread) const;
+    std::string head(const std::string& where, const std::string& what, int thread) const;
     std::string everybody() const;
     std::string thread_name(int thread) const;
 

@@ -19,6 +19,14 @@ namespace {
 constexpr struct {
     const char *words, *kind;
 } kinds[] = {
+    {"null pointer", "null-pointer"},
+    {"wild address", "wild-address"},
+    {"stack overflow", "stack-overflow"},
+    {"overrun of dynamic shared memory", "shared-overrun"},
+    {"overrun of a local array", "local-overrun"},
+    {"division by zero", "division-by-zero"},
+    {"does not end", "endless-loop"},
+    {"abort()", "abort"},
     {"bad mask", "bad-mask"},
     {"exit before a barrier", "exit-before-barrier"},
     {"divergent barrier", "divergent-barrier"},
@@ -39,12 +47,18 @@ constexpr struct {
     {"called by host code", "outside-of-kernel"},
 };
 
-// "f.cu:41", if the text before `end` ends so.
+// "f.cu:41", or "f.cu:41:7" with a column.
 SourcePlace place_in(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == text.npos || colon + 1 == text.size()) return {};
     if (text.find_first_not_of("0123456789", colon + 1) != text.npos) return {};
-    return {text.substr(0, colon), std::atoi(text.c_str() + colon + 1), 0};
+    const int number = std::atoi(text.c_str() + colon + 1);
+    const std::string before = text.substr(0, colon);
+    if (SourcePlace place = place_in(before); place.line > 0) {
+        place.column = number;
+        return place;
+    }
+    return {before, number, 0};
 }
 
 std::optional<Index3> index_after(const std::string& text, const char* word) {

@@ -37,7 +37,7 @@ struct Workers::Job {
     std::atomic<uint64_t> next{0};
     std::atomic<bool> failed{false};
     std::mutex mutex;
-    std::string fault;
+    KernelFault fault;
 };
 
 Workers::Workers(const Options& options, int count) : options_(options) {
@@ -82,6 +82,7 @@ void Workers::serve(int worker) {
 }
 
 void Workers::take_part(Block& block, Job& job) {
+    expect_faults();
     for (;;) {
         uint64_t first = job.next.fetch_add(job.chunk, std::memory_order_relaxed);
         uint64_t last = std::min(first + job.chunk, job.blocks);
@@ -90,7 +91,7 @@ void Workers::take_part(Block& block, Job& job) {
             if (job.failed.load(std::memory_order_relaxed)) return;
             if (block.run(job.work, job.block(turn))) continue;
             std::lock_guard lock(job.mutex);
-            if (!job.failed.exchange(true)) job.fault = block.fault();
+            if (!job.failed.exchange(true)) job.fault = {block.fault_code(), block.fault()};
         }
     }
 }
@@ -101,7 +102,7 @@ void Workers::take_part(Block& block, Job& job) {
 // memory for ThreadSanitizer, and what different blocks do is not in any order. To announce a CUDA
 // thread takes 0.6 ms, so the first ones are kept for the next launch, which comes after this one
 // in any case.
-std::string Workers::run(const Work& work) {
+Workers::KernelFault Workers::run(const Work& work) {
     constexpr size_t most_kept = 4096; // CUDA threads; ThreadSanitizer ends at 8128
     const dim3& shape = work.launch.block;
     size_t block_threads = size_t(shape.x) * shape.y * shape.z;
@@ -111,9 +112,12 @@ std::string Workers::run(const Work& work) {
     for (uint64_t turn = 0; turn < job.blocks && !job.failed; ++turn) {
         bool known = turn < blocks_.size();
         auto block = known ? std::move(blocks_[turn]) : std::make_unique<Block>(options_);
-        std::thread([&] { job.failed = !block->run(work, job.block(turn)); }).join();
+        std::thread([&] {
+            expect_faults();
+            job.failed = !block->run(work, job.block(turn));
+        }).join();
         if (job.failed) {
-            job.fault = block->fault();
+            job.fault = {block->fault_code(), block->fault()};
             blocks_.clear();
         } else if (known) {
             blocks_[turn] = std::move(block);
@@ -126,7 +130,7 @@ std::string Workers::run(const Work& work) {
 
 #else
 
-std::string Workers::run(const Work& work) {
+Workers::KernelFault Workers::run(const Work& work) {
     Job job(work, options_, int(blocks_.size()));
     if (job.blocks == 1 || threads_.empty()) {
         take_part(*blocks_[0], job);

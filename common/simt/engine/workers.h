@@ -22,8 +22,12 @@ class Workers {
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    // Runs every block of the launch. Returns the report of a fault, or nothing.
-    std::string run(const Work& work);
+    // Runs every block of the launch. Returns a fault, or nothing.
+    struct KernelFault {
+        cudaError_t code = cudaSuccess;
+        std::string report;
+    };
+    KernelFault run(const Work& work);
 
   private:
     struct Job;
