@@ -54,6 +54,24 @@ std::string student_presets(const std::string& text) {
     return presets.dump(4) + "\n";
 }
 
+// The editor offers the tree's own lab alone, and no task for the tests that are not released.
+std::string student_editor(const std::string& text, const LabSheet& sheet) {
+    using json = nlohmann::ordered_json;
+    json settings = json::parse(text);
+    for (json& input : settings.at("inputs"))
+        if (input.at("id") == "lab") {
+            input["options"] = json::array({sheet.number});
+            input["default"] = sheet.number;
+        }
+    if (settings.contains("tasks")) {
+        json tasks = json::array();
+        for (const json& task : settings.at("tasks"))
+            if (task.at("label") != "test") tasks.push_back(task);
+        settings["tasks"] = tasks;
+    }
+    return settings.dump(4) + "\n";
+}
+
 std::string student_readme(const LabSheet& sheet) {
     const auto line = [](const std::string& command, const std::string& what) {
         return fmt::format("    {:40}# {}\n", "./raylab " + command, what);
@@ -168,6 +186,8 @@ ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
             out.text = read_file((sheet.root / file).string());
         if (out.stays) continue;
         if (file == "CMakePresets.json") out.text = student_presets(out.text);
+        if (file == ".vscode/tasks.json" || file == ".vscode/launch.json")
+            out.text = student_editor(out.text, sheet);
         write_if_changed(target / file, out.text);
         fs::permissions(target / file, fs::status(sheet.root / file).permissions());
         ++tree.files;

@@ -25,6 +25,9 @@ class Release : public TemporaryTree {
         write("labs/08_other/a.cpp", "int other;\n");
         write("CMakePresets.json",
               R"({"configurePresets": [{"name": "base"}, {"name": "cpu", "inherits": "base"}]})");
+        write(".vscode/tasks.json",
+              R"({"tasks": [{"label": "check lab"}, {"label": "test"}],
+                  "inputs": [{"id": "lab", "options": ["07", "08"], "default": "08"}]})");
         write_sheet(R"("withhold": ["common/whole.h", "common/part.h"],)");
     }
     void write_sheet(const std::string& withhold) {
@@ -47,6 +50,15 @@ TEST_F(Release, LeavesOutAnswersTestsAndOtherLabs) {
     EXPECT_NE(read_file((root / "out/CMakePresets.json").string()).find("RAYLAB_STRICT"),
               std::string::npos);
     EXPECT_TRUE(leaks(root / "out", tree.solution_lines).empty());
+}
+
+TEST_F(Release, TheEditorOffersTheLabOfTheTreeAlone) {
+    release();
+    const std::string tasks = read_file((root / "out/.vscode/tasks.json").string());
+    EXPECT_NE(tasks.find("check lab"), std::string::npos);
+    EXPECT_NE(tasks.find("\"default\": \"07\""), std::string::npos);
+    EXPECT_EQ(tasks.find("08"), std::string::npos);
+    EXPECT_EQ(tasks.find("\"test\""), std::string::npos);
 }
 
 TEST_F(Release, ALineOfASolutionIsFoundWhereverItStandsAndHoweverItIsSpaced) {
