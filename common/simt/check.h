@@ -8,7 +8,7 @@
 #include "common/simt/cuda.h"
 #include "common/simt/where.h"
 
-#if !defined(__CUDACC__) && !defined(RAYLAB_CUDA)
+#if defined(RAYLAB_CPU_MACHINE)
 #include "common/simt/options.h"
 #endif
 
@@ -38,7 +38,7 @@ inline void check(cudaError_t error, const std::string& call, Where where = Wher
     if (means_no_gpu(error))
         text += "\nno NVIDIA GPU or driver was found on this machine: use the CPU machine "
                 "(build with the preset 'cpu'), which runs the same kernels";
-#if !defined(__CUDACC__) && !defined(RAYLAB_CUDA)
+#if defined(RAYLAB_CPU_MACHINE)
     if (std::string report = last_report(); !report.empty()) text += "\n" + report;
 #endif
     throw DeviceError(error, text);

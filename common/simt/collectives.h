@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace raylab::simt {
 
@@ -26,6 +27,9 @@ unsigned vote(const Site& site, unsigned mask, int predicate);
 // lane brought none (CUDA leaves it undefined), which as a float is a NaN.
 uint64_t shuffle(const Site& site, unsigned mask, uint64_t value, int source);
 
+// Waits for the lanes in `mask`. Fills all[0..31] with the values that they brought.
+void gather(const Site& site, unsigned mask, uint64_t value, uint64_t* all);
+
 // The lanes that are at this very place together: all that can come here before they must wait.
 unsigned active_mask(const Site& site);
 
@@ -37,8 +41,15 @@ inline int lane_index() {
     return int((threadIdx.z * blockDim.y + threadIdx.y) * blockDim.x + threadIdx.x) % warpSize;
 }
 
+// As where CUDA's overloads choose: bool, char and short become int.
+template <class T, bool promoted = std::is_integral_v<T> && (sizeof(T) < 4)> struct ShuffledType {
+    using Type = T;
+};
+template <class T> struct ShuffledType<T, true> { using Type = int; };
+template <class T> using Shuffled = typename ShuffledType<T>::Type;
+
 template <class T> inline T shuffle_value(const Site& site, unsigned mask, T value, int source) {
-    static_assert(sizeof(T) == 4 || sizeof(T) == 8, "shuffles move values of 32 or 64 bits");
+    static_assert(sizeof(T) <= 8, "shuffles move values of at most 64 bits");
     uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof(T));
     bits = shuffle(site, mask, bits, source);
@@ -49,25 +60,29 @@ template <class T> inline T shuffle_value(const Site& site, unsigned mask, T val
 // A warp is cut into segments of `width` lanes, a power of two. A source outside of the segment
 // means the lane itself, except that the plain shuffle wraps around.
 template <class T>
-inline T shfl(const Site& site, unsigned mask, T value, int source, int width = warpSize) {
+inline Shuffled<T> shfl(const Site& site, unsigned mask, T value, int source,
+                        int width = warpSize) {
     int first = lane_index() & ~(width - 1);
-    return shuffle_value(site, mask, value, first + (source & (width - 1)));
+    return shuffle_value<Shuffled<T>>(site, mask, value, first + (source & (width - 1)));
 }
 template <class T>
-inline T shfl_up(const Site& site, unsigned mask, T value, unsigned delta, int width = warpSize) {
+inline Shuffled<T> shfl_up(const Site& site, unsigned mask, T value, unsigned delta,
+                           int width = warpSize) {
     int lane = lane_index(), first = lane & ~(width - 1), source = lane - int(delta);
-    return shuffle_value(site, mask, value, source >= first ? source : lane);
+    return shuffle_value<Shuffled<T>>(site, mask, value, source >= first ? source : lane);
 }
 template <class T>
-inline T shfl_down(const Site& site, unsigned mask, T value, unsigned delta, int width = warpSize) {
+inline Shuffled<T> shfl_down(const Site& site, unsigned mask, T value, unsigned delta,
+                             int width = warpSize) {
     int lane = lane_index(), last = lane | (width - 1), source = lane + int(delta);
-    return shuffle_value(site, mask, value, source <= last ? source : lane);
+    return shuffle_value<Shuffled<T>>(site, mask, value, source <= last ? source : lane);
 }
 // The partner may be in a lower segment, but not in a higher one.
 template <class T>
-inline T shfl_xor(const Site& site, unsigned mask, T value, int bits, int width = warpSize) {
+inline Shuffled<T> shfl_xor(const Site& site, unsigned mask, T value, int bits,
+                            int width = warpSize) {
     int lane = lane_index(), last = lane | (width - 1), source = lane ^ bits;
-    return shuffle_value(site, mask, value, source <= last ? source : lane);
+    return shuffle_value<Shuffled<T>>(site, mask, value, source <= last ? source : lane);
 }
 
 } // namespace raylab::simt

@@ -7,6 +7,7 @@
 #if defined(__CUDACC__) || defined(RAYLAB_CUDA)
 #include <cuda_runtime.h>
 #else
+#define RAYLAB_CPU_MACHINE
 #include "common/simt/atomics.h"
 #include "common/simt/collectives.h"
 #include "common/simt/device_math.h"

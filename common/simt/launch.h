@@ -12,6 +12,7 @@
 #include "common/simt/index.h"
 #include "common/simt/runtime.h"
 
+#include <cstring>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -25,7 +26,8 @@ struct Launch {
     int line;
     const void* function; // null where the call chooses among several
     dim3 grid, block;
-    size_t shared_bytes; // dynamic shared memory
+    size_t shared_bytes;      // dynamic shared memory
+    bool cooperative = false; // all blocks run at the same time
 };
 
 // Runs thread_main(arguments) once for each CUDA thread of the launch.
@@ -48,11 +50,55 @@ inline bool check_argument_value(const Launch& launch, int index, const T& value
     return true;
 }
 
+// Whether passing T by value runs none of its code.
+template <class T>
+inline constexpr bool is_plain =
+    std::is_trivially_copy_constructible_v<T>&& std::is_trivially_destructible_v<T>;
+
+// std::vector, std::string and their kin.
+template <class T> inline constexpr bool owns_host_memory = requires {
+    typename T::allocator_type;
+};
+
+// One thread's copy of an argument. One with constructors or a destructor is handed to a kernel as
+// nvcc does it: as its bytes, of which the kernel's end destroys nothing.
+template <class T, bool plain = is_plain<T>> struct Copy {
+    T value;
+    T get() { return value; }
+};
+template <class T> struct Copy<T, false> {
+    alignas(T) unsigned char bytes[sizeof(T)];
+    explicit Copy(const T& value) { std::memcpy(bytes, &value, sizeof(T)); }
+    T& get() { return *reinterpret_cast<T*>(bytes); }
+};
+
+// Calls the kernel with copies of the arguments. On every platform of the CPU machine a function
+// takes an object that is not plain by its address, and the caller makes and destroys it; so the
+// kernel may be called with the address of bytes that no one constructs or destroys.
+template <class... Params>
+#if defined(__clang__)
+__attribute__((no_sanitize("function")))
+#endif
+inline void
+call_kernel(void (*kernel)(Params...), const Params&... params) {
+    if constexpr ((is_plain<Params> && ...)) {
+        kernel(params...);
+    } else {
+        auto by_address =
+            reinterpret_cast<void (*)(decltype(std::declval<Copy<Params>&>().get())...)>(
+                reinterpret_cast<void (*)()>(kernel)); // by which g++ knows that this is meant
+        [by_address](Copy<Params>... copies) {
+            by_address(copies.get()...);
+        }(Copy<Params>{params}...);
+    }
+}
+
 // Runs call(args...) in each CUDA thread; every thread gets its own copies, as kernel parameters.
 template <class Call, class... Args>
 inline void run_with(const Launch& launch, Call call, const Args&... args) {
-    static_assert((std::is_trivially_copyable_v<Args> && ...),
-                  "kernel arguments are copied to the GPU byte by byte: pass plain structs");
+    static_assert(!(owns_host_memory<Args> || ...),
+                  "a container of the host cannot be a kernel's argument: copy what it holds with "
+                  "cudaMemcpy() and give the pointer");
     int index = 0;
     if (!(check_argument_value(launch, ++index, args) && ...)) return;
     auto closure = [&] { call(args...); };
@@ -61,13 +107,20 @@ inline void run_with(const Launch& launch, Call call, const Args&... args) {
         &closure);
 }
 
-// A kernel that is one function: the arguments convert to its parameter types.
-template <class... Params> struct FunctionLauncher {
+// A kernel that is one function: the arguments convert to its parameter types. Where they are
+// fewer, the call takes the default arguments of its declaration.
+template <class ByCall, class... Params> struct FunctionLauncher {
     Launch launch;
     void (*kernel)(Params...);
+    ByCall call;
     void operator()(Params... params) const {
         run_with(
-            launch, [this](const Params&... p) { kernel(p...); }, params...);
+            launch, [this](const Params&... p) { call_kernel(kernel, p...); }, params...);
+    }
+    template <class... Args>
+    requires(sizeof...(Args) < sizeof...(Params)) void operator()(Args... args) const {
+        run_with(
+            launch, [this](Args... a) { call(a...); }, args...);
     }
 };
 
@@ -94,12 +147,12 @@ struct KernelPlace {
 template <class ByPointer, class ByCall>
 inline auto launcher(ByPointer by_pointer, ByCall by_call, KernelPlace place, dim3 grid, dim3 block,
                      size_t shared_bytes = 0, cudaStream_t = nullptr) {
-    Launch launch{place.name, place.file, place.line, nullptr, grid, block, shared_bytes};
+    Launch launch{place.name, place.file, place.line, nullptr, grid, block, shared_bytes, false};
     if constexpr (std::is_invocable_v<ByPointer, ToFunctionPointer>) {
         auto kernel = by_pointer(ToFunctionPointer{});
         launch.function = reinterpret_cast<const void*>(kernel);
         return [&]<class... Params>(void (*)(Params...)) {
-            return FunctionLauncher<Params...>{launch, kernel};
+            return FunctionLauncher<ByCall, Params...>{launch, kernel, by_call};
         }(kernel);
     } else {
         return CallLauncher<ByCall>{launch, by_call};

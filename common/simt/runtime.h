@@ -5,19 +5,12 @@
 // synchronisation is not noticed here.
 #pragma once
 
+#include "common/simt/device_prop.h"
 #include "common/simt/index.h"
 #include "common/simt/runtime_errors.h"
 #include "common/simt/runtime_memory.h"
 
 // The device.
-struct cudaDeviceProp {
-    char name[256]; // says that it is the CPU machine
-    size_t totalGlobalMem, sharedMemPerBlock, sharedMemPerBlockOptin;
-    int major, minor, multiProcessorCount;
-    int warpSize, maxThreadsPerBlock, maxThreadsPerMultiProcessor, regsPerBlock;
-    int maxThreadsDim[3], maxGridSize[3];
-};
-
 cudaError_t cudaGetDeviceCount(int* count);
 cudaError_t cudaGetDevice(int* device);
 cudaError_t cudaSetDevice(int device);

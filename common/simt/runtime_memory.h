@@ -21,10 +21,11 @@ enum cudaMemcpyKind {
 
 namespace raylab::simt {
 
-enum class MemoryKind { device, pinned_host, symbol };
+enum class MemoryKind { device, pinned_host, symbol, managed };
 
 cudaError_t allocate(void** pointer, size_t bytes, MemoryKind kind, const Where& where);
 cudaError_t release(void* pointer, MemoryKind kind, const Where& where);
+cudaError_t release_device(void* pointer, const Where& where); // device or managed
 
 // Makes a __device__ or __constant__ variable known as device memory.
 void register_symbol(const void* symbol, size_t bytes, const Where& where);
@@ -43,7 +44,7 @@ inline cudaError_t cudaMalloc(T** pointer, size_t bytes,
 }
 inline cudaError_t cudaFree(void* pointer,
                             raylab::simt::Where where = raylab::simt::Where::here()) {
-    return raylab::simt::release(pointer, raylab::simt::MemoryKind::device, where);
+    return raylab::simt::release_device(pointer, where);
 }
 
 // Page-locked host memory, which kernels may use too.

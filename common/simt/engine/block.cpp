@@ -199,6 +199,12 @@ uint64_t Block::warp_operation(Wait kind, const Site& site, unsigned mask, uint6
     return waiter.value;
 }
 
+// What every lane of the mask brings, for every one of them.
+void Block::gather(const Site& site, unsigned mask, uint64_t value, uint64_t* all) {
+    waiters_[running_].all = all;
+    warp_operation(Wait::gather, site, mask, value, 0);
+}
+
 // Whether these lanes, all waiting, wait for each other.
 bool Block::agree(int warp, unsigned members) const {
     const Waiter& first = waiters_[warp * lanes + std::countr_zero(members)];
@@ -210,7 +216,7 @@ bool Block::agree(int warp, unsigned members) const {
 // Hands every lane what it gets, and makes it ready.
 void Block::complete(int warp, unsigned members) {
     Waiter* warp_waiters = &waiters_[warp * lanes];
-    uint64_t brought[lanes], ballot = 0;
+    uint64_t brought[lanes] = {}, ballot = 0;
     uint16_t threads[lanes];
     int count = 0;
     for (int turn = 0; turn < lanes; ++turn) {
@@ -223,6 +229,7 @@ void Block::complete(int warp, unsigned members) {
     for (int i = 0; i < count; ++i) {
         Waiter& waiter = waiters_[threads[i]];
         if (waiter.kind == Wait::vote) waiter.value = ballot;
+        if (waiter.kind == Wait::gather) std::memcpy(waiter.all, brought, sizeof brought);
         if (waiter.kind == Wait::shuffle)
             waiter.value = members >> waiter.source & 1 ? brought[waiter.source] : ~uint64_t(0);
     }
@@ -305,6 +312,14 @@ std::string Block::still_running(const Fault& fault, double seconds) const {
 
 void Block::trap(const Site& site) { give_up(Report(*this).trapped(site)); }
 
+void Block::fail(const Site& site, const std::string& what, const std::string& to_do) {
+    const Launch& launch = work_->launch;
+    give_up(place(site.file, site.line) + ": error: " + what + "\n  kernel " + launch.kernel +
+            ", launched at " + place(launch.file, launch.line) + ", grid " +
+            to_string(launch.grid) + ", block size " + to_string(launch.block) + "\n  block " +
+            to_string(blockIdx) + ", thread " + to_string(threadIdx) + "\n  to do: " + to_do);
+}
+
 std::string Block::running() const { return Report(*this).running(); }
 
 // The operations of collectives.h, for whichever block the caller belongs to.
@@ -325,6 +340,9 @@ unsigned vote(const Site& site, unsigned mask, int predicate) {
 }
 uint64_t shuffle(const Site& site, unsigned mask, uint64_t value, int source) {
     return block_at(site).warp_operation(Wait::shuffle, site, mask, value, source);
+}
+void gather(const Site& site, unsigned mask, uint64_t value, uint64_t* all) {
+    block_at(site).gather(site, mask, value, all);
 }
 unsigned active_mask(const Site& site) { return block_at(site).active_mask(site); }
 void trap(const Site& site) { block_at(site).trap(site); }

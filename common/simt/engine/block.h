@@ -35,7 +35,7 @@ struct Work {
 };
 
 // What a thread waits for.
-enum class Wait { block, warp, vote, shuffle, converge };
+enum class Wait { block, warp, vote, shuffle, converge, gather };
 
 class Block {
   public:
@@ -52,6 +52,7 @@ class Block {
     // The operations of collectives.h, for the thread that is running.
     int sync_block(const Site& site, int predicate);
     uint64_t warp_operation(Wait kind, const Site& site, unsigned mask, uint64_t value, int source);
+    void gather(const Site& site, unsigned mask, uint64_t value, uint64_t* all);
     unsigned active_mask(const Site& site);
     [[noreturn]] void trap(const Site& site);
 
@@ -59,6 +60,9 @@ class Block {
     [[noreturn]] void crash(const Fault& fault);
     [[noreturn]] void fail_assertion(const char* condition, const char* file, int line);
     [[noreturn]] void overwrite(const void* end_of_function);
+
+    // Ends the launch: what is wrong at this place, and what to do about it.
+    [[noreturn]] void fail(const Site& site, const std::string& what, const std::string& to_do);
 
     void* shared() { return shared_.data(); }
 
@@ -87,6 +91,7 @@ class Block {
         int source;
         unsigned mask;
         uint64_t value; // in: brought, out: received
+        uint64_t* all;  // out: what each lane brought
     };
     // Whether two lanes that wait, wait for each other. Where __syncwarp() stands does not matter,
     // but values are exchanged at one place only.

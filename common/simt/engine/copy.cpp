@@ -15,7 +15,8 @@ static std::string wrong_end(const char* end, const void* pointer, size_t bytes,
     if (must_be_device && !target.is_device())
         return start + " is not device memory\n  expected: a pointer from cudaMalloc() that was "
                        "not freed; check the order of the arguments and the direction";
-    if (!must_be_device && target.is_device() && target.offset < target.bytes)
+    bool shared = target.known && target.kind == MemoryKind::managed;
+    if (!must_be_device && !shared && target.is_device() && target.offset < target.bytes)
         return start + " is device memory, " + describe(target) +
                "\n  expected: host memory; check the order of the arguments and the direction";
     if (target.known && must_be_device && !target.holds(bytes))

@@ -1,9 +1,12 @@
 // Launches, options and the error state; see machine.h and launch.h.
 #include "common/simt/engine/machine.h"
 
+#include "common/simt/api/kernels.h"
+#include "common/simt/engine/cooperative.h"
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/launch_watch.h"
 #include "common/simt/engine/memory.h"
+#include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/workers.h"
 
@@ -90,6 +93,11 @@ Refusal check_configuration(const Launch& launch) {
     if (grid.x > 0x7fffffffu || grid.y > 0xffff || grid.z > 0xffff)
         return refusal(cudaErrorInvalidConfiguration,
                        shape + "a grid has at most 2147483647 x 65535 x 65535 blocks");
+    if (launch.cooperative && uint64_t(grid.x) * grid.y * grid.z > most_cooperative_blocks)
+        return refusal(cudaErrorCooperativeLaunchTooLarge,
+                       shape + "at most " + std::to_string(most_cooperative_blocks) +
+                           " blocks, for all of them run at the same time; "
+                           "cudaOccupancyMaxActiveBlocksPerMultiprocessor() tells how many fit");
     if (size_t limit = shared_limit(launch.function); launch.shared_bytes > limit)
         return refusal(cudaErrorInvalidValue,
                        std::to_string(launch.shared_bytes) +
@@ -125,6 +133,23 @@ size_t shared_limit(const void* kernel) {
     if (!kernel) return most_shared; // chosen by the call: there is no one to ask
     auto found = machine().shared_limits.find(kernel);
     return found == machine().shared_limits.end() ? usual_shared : found->second;
+}
+
+cudaError_t get_attributes(cudaFuncAttributes* attributes, const void* kernel) {
+    *attributes = {};
+    attributes->maxThreadsPerBlock = max_threads;
+    attributes->numRegs = 32;
+    attributes->ptxVersion = attributes->binaryVersion = 75;
+    attributes->maxDynamicSharedSizeBytes = int(shared_limit(kernel));
+    return sticky_error();
+}
+
+cudaError_t kernel_without_type(const char* call, Where where) {
+    return refuse(
+        cudaErrorInvalidDeviceFunction,
+        place(where) + ": error: " + call +
+            " is given a kernel as void*\n  expected: the kernel's name in this call, with "
+            "or without a cast, for the types of its arguments are needed");
 }
 
 cudaError_t set_attribute(const void* kernel, cudaFuncAttribute attribute, int value) {
@@ -176,7 +201,9 @@ std::string last_report() {
 }
 
 bool check_argument(const Launch& launch, int index, const void* pointer) {
-    if (!pointer || look_up(pointer).known || sticky_error() != cudaSuccess) return true;
+    if (!pointer || look_up(pointer).known || is_registered(pointer) ||
+        sticky_error() != cudaSuccess)
+        return true;
     const std::string start =
         place(launch.file, launch.line) + ": error: kernel " + launch.kernel + " is given a ";
     const std::string argument = " pointer as argument " + std::to_string(index);
@@ -206,14 +233,20 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
         return;
     }
     std::lock_guard lock(machine().launching);
-    if (!machine().workers)
-        machine().workers = std::make_unique<Workers>(machine().options, worker_count());
     const dim3 &grid = launch.grid, &block = launch.block;
     count_launch(uint64_t(grid.x) * grid.y * grid.z * block.x * block.y * block.z);
     auto finished = std::make_unique<char>();
+    Work work{launch, thread_main, arguments, finished.get()};
     DeviceAccess access;
     LaunchWatch watch;
-    auto fault = machine().workers->run({launch, thread_main, arguments, finished.get()});
+    Workers::KernelFault fault;
+    if (launch.cooperative) {
+        fault = run_cooperative(work, machine().options);
+    } else {
+        if (!machine().workers)
+            machine().workers = std::make_unique<Workers>(machine().options, worker_count());
+        fault = machine().workers->run(work);
+    }
     announce_acquire(finished.get());
     if (fault.code != cudaSuccess) remember_fault(fault.code, fault.report);
 }

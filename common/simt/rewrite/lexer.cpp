@@ -14,7 +14,8 @@ bool in_word(char c) { return starts_word(c) || std::isdigit((unsigned char)c); 
 
 class Lexer {
   public:
-    explicit Lexer(std::string_view source) : source_(source) {}
+    Lexer(std::string_view source, std::vector<Token>* includes)
+        : source_(source), includes_(includes) {}
 
     std::vector<Token> run() {
         while (at_ < source_.size()) step();
@@ -94,10 +95,21 @@ class Lexer {
         while (look(length) == ' ' || look(length) == '\t') ++length;
         for (std::string_view name : {"include", "error", "warning", "pragma", "line"})
             if (source_.substr(at_ + length, name.size()) == name) {
+                if (name == "include") note_include(at_ + length + name.size());
                 skip_line();
                 return true;
             }
         return false;
+    }
+
+    void note_include(size_t from) {
+        size_t begin = source_.find_first_not_of(" \t", from);
+        if (!includes_ || begin == std::string_view::npos) return;
+        char last = source_[begin] == '<' ? '>' : source_[begin] == '"' ? '"' : '\n';
+        size_t end = source_.find(last, begin + 1);
+        if (last == '\n' || end == std::string_view::npos) return; // a macro
+        includes_->push_back(
+            {Token::Kind::text, source_.substr(begin, end + 1 - begin), begin, line_});
     }
 
     void skip_line() {
@@ -122,6 +134,7 @@ class Lexer {
     }
 
     std::string_view source_;
+    std::vector<Token>* includes_;
     std::vector<Token> tokens_;
     size_t at_ = 0;
     int line_ = 1;
@@ -130,6 +143,8 @@ class Lexer {
 
 } // namespace
 
-std::vector<Token> tokenize(std::string_view source) { return Lexer(source).run(); }
+std::vector<Token> tokenize(std::string_view source, std::vector<Token>* includes) {
+    return Lexer(source, includes).run();
+}
 
 } // namespace raylab::simt

@@ -16,7 +16,8 @@ struct Token {
 };
 
 // The tokens of a source. Comments, #include, #error and #pragma lines are left out; the lines of
-// other directives count, for macros may launch kernels.
-std::vector<Token> tokenize(std::string_view source);
+// other directives count, for macros may launch kernels. Of each #include, what it names goes to
+// `includes`: "x.h" or <x.h>, with its quotes.
+std::vector<Token> tokenize(std::string_view source, std::vector<Token>* includes = nullptr);
 
 } // namespace raylab::simt

@@ -2,6 +2,8 @@
 // character between them alone.
 #include "common/simt/rewrite/rewrite.h"
 
+#include "common/simt/rewrite/conditions.h"
+#include "common/simt/rewrite/foreign.h"
 #include "common/simt/rewrite/lexer.h"
 
 #include <algorithm>
@@ -21,14 +23,16 @@ bool closes(const Token& t) { return t.spelling == ")" || t.spelling == "]" || t
 
 class Rewriter {
   public:
-    Rewriter(std::string_view source, const std::string& name)
-        : source_(source), name_(name), tokens_(tokenize(source)) {}
+    Rewriter(std::string_view source, const std::string& name, bool foreign)
+        : source_(source), name_(name), foreign_(foreign), tokens_(tokenize(source, &includes_)),
+          conditions_(source, tokens_) {}
 
     std::string run() {
         for (size_t i = 0; i < tokens_.size(); ++i) {
             track_scope(i);
             if (is_launch(i)) launch(i);
             if (is(i, "extern")) shared_memory(i);
+            if (foreign_) foreign(i);
         }
         std::stable_sort(edits_.begin(), edits_.end(),
                          [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
@@ -43,20 +47,49 @@ class Rewriter {
         return out;
     }
 
+    void rewrite_includes(const std::function<Include(std::string_view)>& include) {
+        for (const Token& token : includes_) {
+            Include become = include(token.spelling);
+            if (!become.refusal.empty() && !conditions_.may_be_skipped(token.begin))
+                fail(token, become.refusal);
+            if (!become.refusal.empty()) {
+                size_t line = source_.rfind('#', token.begin);
+                edits_.push_back(
+                    {line, token.end() - line, "#pragma GCC error \"" + become.refusal + "\""});
+            } else if (!become.replacement.empty()) {
+                edits_.push_back({token.begin, token.spelling.size(), become.replacement});
+            }
+        }
+    }
+
   private:
     bool is(size_t i, std::string_view spelling) const {
         return i < tokens_.size() && tokens_[i].kind != Token::Kind::text &&
                tokens_[i].spelling == spelling;
     }
 
-    [[noreturn]] void fail(size_t i, const std::string& what) const {
-        throw RewriteError(name_ + ":" + std::to_string(tokens_[i].line) + ": error: " + what);
+    [[noreturn]] void fail(const Token& token, const std::string& what) const {
+        throw RewriteError(name_ + ":" + std::to_string(token.line) + ": error: " + what);
     }
+    [[noreturn]] void fail(size_t i, const std::string& what) const { fail(tokens_[i], what); }
 
-    // Three marks in a row, with nothing in between.
+    // Three marks in a row. Some formatters, and therefore some programs, write `<< <`, which has
+    // no other meaning in C++.
     bool triple(size_t i, std::string_view mark) const {
         return is(i, mark) && is(i + 1, mark) && is(i + 2, mark) &&
-               tokens_[i + 2].begin == tokens_[i].begin + 2;
+               tokens_[i + 1].begin == tokens_[i].begin + 1;
+    }
+    Edit replace(size_t first, size_t last, std::string text) const {
+        size_t begin = tokens_[first].begin, length = tokens_[last].end() - begin;
+        auto lines =
+            std::count(source_.begin() + long(begin), source_.begin() + long(begin + length), '\n');
+        return {begin, length, text + std::string(size_t(lines), '\n')};
+    }
+
+    // The program is refused, or, if the compiler may skip this place, told so by the compiler.
+    void refuse(size_t i, const std::string& what) {
+        if (!conditions_.may_be_skipped(tokens_[i].begin)) fail(i, what);
+        edits_.push_back({tokens_[i].begin, 0, "_Pragma(\"GCC error \\\"" + what + "\\\"\") "});
     }
 
     // `operator<<<T>` is the one place where C++ itself has `<<<`.
@@ -74,9 +107,11 @@ class Rewriter {
             if (opens(tokens_[close])) ++depth;
             if (closes(tokens_[close]) && depth-- == 0) fail(open, "this <<< has no >>>(");
         }
+        if (foreign_ && in_kernel())
+            refuse(first, "a kernel launches a kernel: the CPU machine has no dynamic parallelism");
         edits_.push_back({tokens_[first].begin, 0, "::raylab::simt::launcher(RAYLAB_KERNEL("});
-        edits_.push_back({tokens_[open].begin, 3, "), "});
-        edits_.push_back({tokens_[close].begin, 3, ")"});
+        edits_.push_back(replace(open, open + 2, "), "));
+        edits_.push_back(replace(close, close + 2, ")"));
     }
 
     // The first token of the expression that ends before `end`: names joined by :: . and ->, with
@@ -143,7 +178,7 @@ class Rewriter {
         }
     }
 
-    // extern __shared__ [alignment] T name[][N];
+    // extern __shared__ [alignment] T name[][N]; or T name;
     void shared_memory(size_t begin) {
         size_t end = begin, name = 0, bracket = 0;
         bool shared = false;
@@ -155,8 +190,10 @@ class Rewriter {
             }
             ++end;
         }
-        if (!shared || !bracket || !is(bracket + 1, "]") || !is(end, ";")) return;
-        if (at_namespace_scope())
+        if (!shared || !is(end, ";") || end < begin + 3) return;
+        if (!bracket) name = end - 1;
+        if (tokens_[name].kind != Token::Kind::word) return;
+        if (at_namespace_scope() && !(foreign_ && bracket))
             fail(begin, "extern __shared__ stands outside of a function; the CPU machine wants it "
                         "inside the kernel that uses it");
         std::string type;
@@ -168,15 +205,58 @@ class Rewriter {
             }
             type += (type.empty() ? "" : " ") + std::string(tokens_[i].spelling);
         }
-        std::string variable(tokens_[name].spelling), inner = text(bracket + 2, end);
+        std::string variable(tokens_[name].spelling);
+        std::string inner = bracket ? text(close_of(bracket) + 1, end) : std::string();
+        if (inner.find(',') != std::string::npos)
+            fail(begin, "two arrays in one extern __shared__: they are one memory, write one");
+        std::string memory = "::raylab::simt::dynamic_shared<" + type + inner + ">()";
         std::string pointer =
             inner.empty() ? type + "* " + variable : type + " (*" + variable + ")" + inner;
-        size_t from = tokens_[begin].begin, length = tokens_[end].begin - from;
-        size_t lines = size_t(
-            std::count(source_.begin() + long(from), source_.begin() + long(from + length), '\n'));
-        edits_.push_back({from, length,
-                          pointer + " = ::raylab::simt::dynamic_shared<" + type + inner + ">()" +
-                              std::string(lines, '\n')});
+        std::string declaration =
+            bracket ? pointer + " = " + memory : type + "& " + variable + " = *" + memory;
+        if (at_namespace_scope())
+            declaration = "[[maybe_unused]] static constexpr ::raylab::simt::DynamicShared<" +
+                          type + inner + "> " + variable + "{}";
+        edits_.push_back(replace(begin, end, declaration + ";"));
+    }
+
+    // What rewrite_foreign() does besides.
+    void foreign(size_t i) {
+        if (is(i, "asm") || is(i, "__asm__") || is(i, "__asm")) inline_assembly(i);
+        if (is_inline(i)) {
+            for (size_t j = i; j-- > 0 && tokens_[j].kind == Token::Kind::word;)
+                if (is_inline(j)) {
+                    edits_.push_back(replace(i, i, ""));
+                    break;
+                }
+        }
+        if (is(i, "__noinline__") && (i == 0 || (!is(i - 1, "(") && !is(i - 1, ","))))
+            edits_.push_back(replace(i, i, "__attribute__((noinline))"));
+        if ((is(i, "cudaLaunchKernel") || is(i, "cudaLaunchCooperativeKernel")) && is(i + 1, "("))
+            strip_cast(i + 2);
+    }
+    bool is_inline(size_t i) const {
+        return is(i, "inline") || is(i, "__inline__") || is(i, "__inline") ||
+               is(i, "__forceinline__");
+    }
+
+    void inline_assembly(size_t begin) {
+        size_t open = begin + 1;
+        while (is(open, "volatile") || is(open, "__volatile__") || is(open, "goto")) ++open;
+        if (!is(open, "(")) return;
+        size_t close = close_of(open), from = tokens_[open].begin;
+        if (!is_ptx(source_.substr(from, tokens_[close].begin - from))) return;
+        refuse(begin, "inline PTX runs on a GPU alone: the CPU machine does not know it");
+        edits_.push_back(replace(begin, close, "((void)0)"));
+    }
+
+    // (void*)k, (const void*)k or reinterpret_cast<void*>(k).
+    void strip_cast(size_t i) {
+        size_t type = is(i, "reinterpret_cast") && is(i + 1, "<") ? i + 2 : i + 1;
+        if (type == i + 1 && !is(i, "(")) return;
+        size_t star = is(type, "const") ? type + 2 : type + 1;
+        if (is(star - 1, "void") && is(star, "*") && (is(star + 1, ")") || is(star + 1, ">")))
+            edits_.push_back(replace(i, star + 1, ""));
     }
 
     size_t close_of(size_t open) const {
@@ -205,23 +285,44 @@ class Rewriter {
             --before;
         bool name_space = before > 0 && is(before - 1, "namespace");
         bool linkage = i > 1 && tokens_[i - 1].kind == Token::Kind::text && is(i - 2, "extern");
+        if (at_namespace_scope()) kernel_ = !name_space && !linkage && is_device_code(i);
         scopes_.push_back(name_space || linkage);
     }
+    // Whether a function that begins here is marked as the device's alone.
+    bool is_device_code(size_t brace) const {
+        bool device = false;
+        for (size_t i = brace; i-- > 0 && !is(i, ";") && !is(i, "{") && !is(i, "}");) {
+            device |= is(i, "__global__") || is(i, "__device__");
+            if (is(i, "__host__")) return false;
+        }
+        return device;
+    }
+    bool in_kernel() const { return kernel_ && !at_namespace_scope(); }
     bool at_namespace_scope() const {
         return std::find(scopes_.begin(), scopes_.end(), false) == scopes_.end();
     }
 
     std::string_view source_;
     std::string name_;
-    std::vector<Token> tokens_;
+    bool foreign_;
+    std::vector<Token> includes_, tokens_;
+    Conditions conditions_;
     std::vector<Edit> edits_;
     std::vector<bool> scopes_;
+    bool kernel_ = false; // of the function around, whether it runs on the device alone
 };
 
 } // namespace
 
 std::string rewrite(std::string_view source, const std::string& name) {
-    return Rewriter(source, name).run();
+    return Rewriter(source, name, false).run();
+}
+
+std::string rewrite_foreign(std::string_view source, const std::string& name,
+                            const std::function<Include(std::string_view)>& include) {
+    Rewriter rewriter(source, name, true);
+    rewriter.rewrite_includes(include);
+    return rewriter.run();
 }
 
 } // namespace raylab::simt

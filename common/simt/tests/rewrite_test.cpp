@@ -126,5 +126,64 @@ TEST(Rewrite, ErrorsNameTheLine) {
               "f.cu:2: error: extern __shared__ s");
 }
 
+std::string foreign(const std::string& source) {
+    std::string out = rewrite_foreign(source, "f.cu", [](std::string_view name) {
+        if (name == "\"own.h\"") return Include{"\"/copies/own.h\"", ""};
+        if (name == "<cublas_v2.h>") return Include{"", "no cuBLAS"};
+        return Include{};
+    });
+    EXPECT_EQ(out.substr(0, head.size()), head);
+    return out.substr(head.size());
+}
+
+std::string foreign_error(const std::string& source) {
+    try {
+        return "no error: " + foreign(source);
+    } catch (const RewriteError& error) {
+        return error.what();
+    }
+}
+
+TEST(RewriteForeign, TakesWhatNvccTakes) {
+    for (auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+             {"k << <1, 2 >> >(a);", launch("k ", "1, 2 ") + "(a);"},
+             {"k << < 1, 2 >> > (a);", launch("k ", " 1, 2 ") + " (a);"},
+             {"static __inline__ __device__ __forceinline__ int f();",
+              "static __inline__ __device__  int f();"},
+             {"__noinline__ void f(); __attribute__((__noinline__)) void g();",
+              "__attribute__((noinline)) void f(); __attribute__((__noinline__)) void g();"},
+             {"cudaLaunchKernel((void*)k, g, b, a);", "cudaLaunchKernel(k, g, b, a);"},
+             {"cudaLaunchCooperativeKernel((const void *)k<3>, g);",
+              "cudaLaunchCooperativeKernel(k<3>, g);"},
+             {"cudaLaunchKernel(reinterpret_cast<void*>(k), g);", "cudaLaunchKernel((k), g);"},
+             {"#include \"own.h\"\n#include <vector>\n",
+              "#include \"/copies/own.h\"\n#include <vector>\n"},
+             {"asm volatile(\"pause\"); asm(\"rdtsc\" : \"=a\"(low), \"=d\"(high));",
+              "asm volatile(\"pause\"); asm(\"rdtsc\" : \"=a\"(low), \"=d\"(high));"},
+             {"void f() { extern __shared__ int n; }",
+              "void f() { int& n = *::raylab::simt::dynamic_shared<int>(); }"}})
+        EXPECT_EQ(foreign(before), after);
+    EXPECT_NE(foreign("extern __shared__ float s[];").find("DynamicShared<float> s{};"),
+              std::string::npos);
+}
+
+TEST(RewriteForeign, RefusesInOneSentenceWithTheLine) {
+    EXPECT_EQ(foreign_error("\n#include <cublas_v2.h>\n"), "f.cu:2: error: no cuBLAS");
+    EXPECT_EQ(foreign_error("#ifndef A\n#define A\n#include <cublas_v2.h>\n#endif\n"),
+              "f.cu:3: error: no cuBLAS");
+    EXPECT_EQ(
+        foreign_error("void f() {\nasm(\"mov.u32 %0, %%laneid;\" : \"=r\"(x)); }").substr(0, 27),
+        "f.cu:2: error: inline PTX r");
+    EXPECT_EQ(foreign_error("__global__ void k() {\n if (x)\nk<<<1, 1>>>(); }").substr(0, 34),
+              "f.cu:3: error: a kernel launches a");
+}
+
+TEST(RewriteForeign, LeavesToTheCompilerWhatItMaySkip) {
+    EXPECT_EQ(foreign("#ifdef USE_BLAS\n  #include <cublas_v2.h>\n#endif\n"),
+              "#ifdef USE_BLAS\n  #pragma GCC error \"no cuBLAS\"\n#endif\n");
+    EXPECT_EQ(foreign("#define LANE(x) asm(\"mov.u32 %0, %%laneid;\" : \"=r\"(x))\n").substr(0, 35),
+              "#define LANE(x) _Pragma(\"GCC error ");
+}
+
 } // namespace
 } // namespace raylab::simt

@@ -1,0 +1,40 @@
+// Streams and events, the less usual calls. Everything is done when the call returns (runtime.h),
+// so there is nothing to wait for, and a callback is called at once.
+#pragma once
+
+#include "common/simt/runtime.h"
+
+inline constexpr unsigned cudaEventBlockingSync = 1, cudaEventInterprocess = 4,
+                          cudaEventRecordDefault = 0, cudaEventRecordExternal = 1,
+                          cudaEventWaitDefault = 0;
+
+#define cudaStreamLegacy ((cudaStream_t)0x1)
+#define cudaStreamPerThread ((cudaStream_t)0x2)
+
+using cudaStreamCallback_t = void (*)(cudaStream_t stream, cudaError_t status, void* data);
+using cudaHostFn_t = void (*)(void* data);
+
+inline cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
+    return cudaStreamCreate(stream);
+}
+inline cudaError_t cudaStreamGetPriority(cudaStream_t, int* priority) {
+    *priority = 0;
+    return cudaDeviceSynchronize();
+}
+inline cudaError_t cudaStreamGetFlags(cudaStream_t, unsigned* flags) {
+    *flags = cudaStreamDefault;
+    return cudaDeviceSynchronize();
+}
+inline cudaError_t cudaEventRecordWithFlags(cudaEvent_t event, cudaStream_t stream = nullptr,
+                                            unsigned = 0) {
+    return cudaEventRecord(event, stream);
+}
+inline cudaError_t cudaStreamAddCallback(cudaStream_t stream, cudaStreamCallback_t callback,
+                                         void* data, unsigned) {
+    callback(stream, cudaStreamQuery(stream), data);
+    return cudaDeviceSynchronize();
+}
+inline cudaError_t cudaLaunchHostFunc(cudaStream_t, cudaHostFn_t function, void* data) {
+    function(data);
+    return cudaDeviceSynchronize();
+}

@@ -1,0 +1,47 @@
+// What nvcc puts in front of every .cu file, for programs that were not written for raylab: found
+// by -Icommon/simt/include. The labs include common/simt/cuda.h, which is a small part of this.
+//
+// The macros say to the program that a CUDA compiler reads it. They come last: raylab's own headers
+// must not take the CPU machine for nvcc.
+#pragma once
+
+#include "common/simt/cuda.h"
+
+#include "common/simt/api/arithmetic.h"
+#include "common/simt/api/conversions.h"
+#include "common/simt/api/device.h"
+#include "common/simt/api/integers.h"
+#include "common/simt/api/kernels.h"
+#include "common/simt/api/managed.h"
+#include "common/simt/api/memory_access.h"
+#include "common/simt/api/pitched.h"
+#include "common/simt/api/streams.h"
+#include "common/simt/api/warp.h"
+
+// nvcc's front end reads these as well, and programs count on it.
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <math.h>
+#include <stdlib.h>
+
+// helper_cuda.h offers its functions by these.
+#define __CUDA_RUNTIME_H__
+#define __CUDA_RUNTIME_API_H__
+#define __DRIVER_TYPES_H__
+#define __VECTOR_TYPES_H__
+#define __VECTOR_FUNCTIONS_H__
+
+#define CUDART_VERSION 12040
+#define __CUDART_API_VERSION CUDART_VERSION
+#define CUDART_CB
+#define CUDARTAPI
+
+#define __CUDACC__
+#define __CUDACC_VER_MAJOR__ 12
+#define __CUDACC_VER_MINOR__ 4
+#define __CUDACC_VER_BUILD__ 0
