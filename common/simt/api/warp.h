@@ -9,6 +9,13 @@
 
 namespace raylab::simt {
 
+// The lanes of the caller's warp that the block has threads for.
+inline unsigned existing_lanes() {
+    unsigned thread = (threadIdx.z * blockDim.y + threadIdx.y) * blockDim.x + threadIdx.x;
+    unsigned left = blockDim.x * blockDim.y * blockDim.z - thread / 32 * 32;
+    return left >= 32 ? ~0u : (1u << left) - 1;
+}
+
 // Combines the values of the lanes in `mask`, lowest lane first.
 template <class T, class Combine>
 inline T reduce(const Site& site, unsigned mask, T value, Combine combine) {
@@ -17,7 +24,7 @@ inline T reduce(const Site& site, unsigned mask, T value, Combine combine) {
     std::memcpy(&bits, &value, sizeof(T));
     gather(site, mask, bits, all);
     bool first = true;
-    for (unsigned rest = mask; rest; rest &= rest - 1) {
+    for (unsigned rest = mask & existing_lanes(); rest; rest &= rest - 1) {
         T other;
         std::memcpy(&other, &all[std::countr_zero(rest)], sizeof(T));
         value = first ? other : combine(value, other);
@@ -33,14 +40,14 @@ template <class T> inline unsigned match_any(const Site& site, unsigned mask, T 
     std::memcpy(&bits, &value, sizeof(T));
     gather(site, mask, bits, all);
     unsigned same = 0;
-    for (unsigned rest = mask; rest; rest &= rest - 1)
+    for (unsigned rest = mask & existing_lanes(); rest; rest &= rest - 1)
         if (all[std::countr_zero(rest)] == bits) same |= rest & -rest;
     return same;
 }
 
 // The mask if all of its lanes have the same value, else 0.
 template <class T> inline unsigned match_all(const Site& site, unsigned mask, T value, int* equal) {
-    *equal = match_any(site, mask, value) == mask;
+    *equal = match_any(site, mask, value) == (mask & existing_lanes());
     return *equal ? mask : 0;
 }
 
