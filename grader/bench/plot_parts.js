@@ -1,5 +1,5 @@
 "use strict";
-// What plots in SVG are made of. Colours are classes (c0 to c7), so that light and dark are the style's.
+// What plots in SVG are made of. Colours are classes (c0 to c7), so that the style chooses them for light and for dark pages.
 const bench = JSON.parse(document.getElementById("data").textContent);
 
 function add(parent, tag, attributes = {}, text) {

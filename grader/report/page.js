@@ -23,7 +23,7 @@ function radiance(id) {
                     const from = 4 * (y * png.width + x), to = 3 * (y * width + x);
                     const exponent = bytes[from + 4 * width];
                     const scale = exponent === 255 ? NaN : 2 ** (exponent - 136);
-                    // + 0.5: the middle of what the mantissa stands for.
+                    // + 0.5: the middle of the values that this mantissa stands for.
                     for (let c = 0; c < 3; c++)
                         values[to + c] = exponent <= 1 ? 0 : (bytes[from + c] + 0.5) * scale;
                 }

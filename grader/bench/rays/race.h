@@ -61,8 +61,8 @@ struct RayRace {
 int race_steps(const std::vector<RayContestant>& contestants, const RaceOptions& options);
 
 // Answers are compared with those of the first exact contestant that takes part, or of the first if
-// none is exact. This contestant also traces the rays from hit to hit. One that fails, or has too
-// many tests to make, becomes a row that says so. Throws ContestantError if nobody is left.
+// none is exact. This contestant also traces the rays from hit to hit. A contestant that fails, or
+// has too many tests to make, becomes a row that says so. Throws ContestantError if nobody is left.
 RayRace race(const RayMesh& mesh, const std::vector<RayContestant>& contestants,
              const RaceOptions& options, const std::function<void()>& after_step = {});
 

@@ -3,7 +3,7 @@
 // Rows that have figures.
 const rows = race => race.rows.filter(row => !row.failure);
 
-// What is built has a colour; its walks share it, in lines and bars of their own.
+// Each structure has a colour. Its walks share the colour and have lines and bars of their own.
 const hue = row => "c" + bench.styles[row.name].colour;
 const style = row => `${hue(row)} walk${bench.styles[row.name].walk}`;
 
@@ -13,7 +13,7 @@ function plotRays(figure) {
     if (!drawn.length) return figure.remove();
     const kinds = drawn[0].cells.map(cell => cell.rays);
     const width = 1120, box = { left: 58, right: 1100 };
-    let x = box.left + 110, legend = 14; // names wrap
+    let x = box.left + 110, legend = 14; // long rows of names are wrapped
     const names = drawn.map(row => {
         const wide = 26 + 7.6 * row.name.length;
         if (x + wide > box.right) x = box.left + 110, legend += 18;
@@ -52,7 +52,7 @@ function plotRays(figure) {
     for (const { row, x, y } of names) add(svg, "text", { class: `name ${hue(row)}`, x, y }, row.name);
 }
 
-// A line a structure over the meshes' sizes: `value(row, triangles)` is what is drawn, or nothing.
+// A line for each structure over the meshes' sizes. It shows `value(row, triangles)`, where there is a value.
 function plotGrowth(figure, title, name_of, value) {
     const lines = new Map();
     for (const race of bench.races)
