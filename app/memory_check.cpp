@@ -31,7 +31,7 @@ MemoryNeed memory_need(const Lab& lab, const Scene& scene, const MachineSettings
     const MemoryUse use = lab.memory(scene, machine);
     const std::uint64_t workers =
         machine.threads > 0 ? machine.threads : std::thread::hardware_concurrency();
-    const std::uint64_t threads = workers + 1; // and the one that renders (kept_render.h)
+    const std::uint64_t threads = workers + 1; // + the one that renders (kept_render.h)
     return {scene.camera.width, scene.camera.height, use.pixel + image_bytes + file_bytes,
             use.fixed + program_bytes + threads * stack_bytes};
 }

@@ -1,5 +1,5 @@
-// Every bundled scene keeps what it promises: its `expect` is met, and would not be by 10 % more
-// light.
+// Every bundled scene keeps what it promises: its `expect` is met. With 10 % more light it would
+// not be met.
 #include "app/expectation.h"
 #include "app/tests/accuracy.h"
 

@@ -1,5 +1,5 @@
-// PANE, GLASS-FURN, GLASS-FLOOR: glass that neither makes nor swallows light, nor lets it through
-// what it touches.
+// PANE, GLASS-FURN, GLASS-FLOOR: glass neither adds nor removes light, and lets no light through a
+// surface that it touches.
 #include "app/tests/accuracy.h"
 
 namespace raylab::app {

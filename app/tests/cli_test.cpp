@@ -132,7 +132,7 @@ TEST_F(Cli, FullDiskLeavesNoFile) {
     EXPECT_NE(full.text.find("/dev/full"), std::string::npos) << full.text;
 }
 
-// Root may write anywhere, so the folder is one that nobody may write to.
+// The superuser may write anywhere, so the folder is one in which not even the superuser may write.
 TEST_F(Cli, ReadOnlyPlacesAreRefusedBeforeTheWork) {
     write_scene("s.json");
     const Outcome outcome = raylab("render 02 " + in("s.json") + " -o /proc/raylab/o.exr");

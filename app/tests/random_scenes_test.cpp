@@ -158,7 +158,7 @@ TEST(RandomScenes, LabsAgreePathByPathAndNoSampleIsWrong) {
     EXPECT_GT(lit, paths / 2); // and the scenes are not mostly black
 }
 
-// Every surface passes on at most what it gets, so no path brings back more than the sky's 1.
+// Every surface reflects at most the light that arrives, so no path returns more than the sky's 1.
 TEST(RandomScenes, NothingIsBrighterThanTheSky) {
     for (int i = 0; i < count(100, 3000); ++i) {
         Scene scene = Generator(10'000 + i).scene(true);

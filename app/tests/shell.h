@@ -1,4 +1,4 @@
-// A command as a person runs it: what it says, and its exit code.
+// Runs a command as a person does, and returns its output and its exit code.
 #pragma once
 
 #include <array>

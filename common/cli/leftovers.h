@@ -24,8 +24,8 @@ class UnfinishedFile {
     std::atomic<const char*>* slot_;
 };
 
-// A child that leads a process group of its own. Make the object before the child is started: a
-// signal then waits until it is known whom to kill.
+// A child process that leads a process group of its own. Make the object before the child is
+// started: a signal that comes in between then waits until the child's number is known.
 class RunningChild {
   public:
     RunningChild();

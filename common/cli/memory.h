@@ -1,4 +1,4 @@
-// How much memory there is for this program, whoever sets the limit.
+// How much memory this program can get, under all the limits that apply.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@ namespace raylab {
 
 struct AvailableMemory {
     std::uint64_t bytes;
-    std::string limit; // who sets it, for people: "the machine has no more free"
+    std::string limit; // which limit it is, for people: "the machine has no more free"
 };
 
-// The least of what the machine has free (MemAvailable), what the control groups of a container or
-// a batch job leave, and what `ulimit -v` leaves. What cannot be read is no limit. `root` is where
-// /proc and /sys are: for tests.
+// The least of three: the free memory of the machine (MemAvailable), what the control groups of a
+// container or a batch job leave, and what `ulimit -v` leaves. A limit that cannot be read does not
+// count. `root` is the folder of /proc and /sys, for tests.
 AvailableMemory available_memory(const std::string& root = "");
 
 // If `ulimit -v` is set, makes all threads share one heap. Otherwise the GNU C library reserves 64

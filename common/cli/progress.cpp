@@ -40,7 +40,7 @@ void Progress::tick() {
     show();
 }
 
-// The rate and the time left, as far as they are known.
+// The rate and the time left, if they are known.
 std::string Progress::facts() const {
     if (done_ == 0) return human_duration(seconds()) + " so far";
     std::string rate = human_count(done_ * scale_ / seconds());

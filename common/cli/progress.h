@@ -7,9 +7,9 @@
 
 namespace raylab {
 
-// On a terminal, a line on standard error that is drawn anew and goes away when the object dies.
-// Elsewhere, a line about every ten seconds: a log shows that it goes on, and pipes of what is
-// quick stay clean. Any thread may call.
+// On a terminal, one line on standard error, which is drawn again and again and removed by the
+// destructor. Elsewhere, a new line about every ten seconds, so that a log shows that the work goes
+// on; short work prints nothing into a pipe. Any thread may call.
 class Progress {
   public:
     // unit: what is counted, in the plural ("samples"); scale: how many of them one step is worth.

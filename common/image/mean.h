@@ -1,6 +1,6 @@
-// Means of what was drawn several times with seeds of their own. How far apart the draws lie is the
-// error of their mean, measured and not assumed: right for any sampler, also where the samples of
-// one draw are not independent.
+// Means of values or images that were drawn several times, each with its own seed. Their error is
+// measured from the differences between the draws. This is right for any sampler, also if the
+// samples of one draw are not independent.
 #pragma once
 
 #include "common/image/image.h"

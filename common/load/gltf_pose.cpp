@@ -34,7 +34,8 @@ Transform transform_of(const tinygltf::Node& node) {
     return transform;
 }
 
-// The nodes of the default scene, or of the first, or all that are nobody's children.
+// The nodes of the default scene; without one, of the first scene; without scenes, all nodes that
+// have no parent.
 std::vector<int> roots(const GltfFile& file) {
     const tinygltf::Model& model = file.model;
     const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;

@@ -15,7 +15,7 @@ namespace raylab::bench {
 struct WavefrontCosts {
     double seconds = 0; // median of the rounds
     double iterations = 0, launches = 0, rays = 0, blocks = 0;
-    double batches = 0;  // 0 where a launch traces several bounces at once: nobody counts them
+    double batches = 0;  // 0 if a launch traces several bounces: then they are not counted
     double removing = 0; // share of the time in compaction and sorting
     double between = 0;  // share of the time in no stage: launching, copying, waiting
 };

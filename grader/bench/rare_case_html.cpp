@@ -1,4 +1,4 @@
-// The page's section of the rare cases: two plots of what compaction saves, and the table.
+// The section of the page about the rare cases: two plots of what compaction saves, and the table.
 #include "grader/bench/html_cells.h"
 #include "grader/bench/rare_case.h"
 

@@ -18,7 +18,7 @@ struct Pair {
     double kurtosis = 0;
 };
 
-// Replicates and reference, and what the one predicts for the other.
+// Replicates and reference, and the variance of the replicates that the reference predicts.
 class Sides {
   public:
     Sides(const Replicates& replicates, const ReferenceTiles& reference, int reference_spp,

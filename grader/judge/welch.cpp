@@ -45,8 +45,8 @@ TestResult hotelling_t2(const Estimate2& a, const Estimate2& b) {
     result.dof =
         size(v / scale) / (size(a.covariance / scale) / a.dof + size(b.covariance / scale) / b.dof);
     if (result.dof <= 1) return {0, result.dof, 1}; // too few observations to say anything
-    // A grey scene's noise lies on one line: the other direction is known to rounding only, and
-    // gets a millionth of the larger standard deviation.
+    // The noise of a grey scene lies on one line of colour space. In the other direction the
+    // variance is known to rounding only, so it gets a millionth of the larger standard deviation.
     glm::dmat2 regular = v;
     regular[0][0] += 1e-12 * scale;
     regular[1][1] += 1e-12 * scale;

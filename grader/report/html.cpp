@@ -31,7 +31,8 @@ std::string base64(std::string_view bytes) {
 
 std::uint8_t byte(float v) { return static_cast<std::uint8_t>(index_of(v, 256)); }
 
-// Names the page's own script and style in its security policy; nobody else's will run.
+// The page's security policy allows only scripts and styles with this number, which are the page's
+// own.
 std::string random_nonce() {
     std::random_device random;
     return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());

@@ -82,7 +82,7 @@ TEST_F(Files, AFullDiskIsSaid) {
 TEST_F(Files, AReadOnlyFolderIsSaid) {
     fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
                                 fs::perms::others_exec);
-    // The superuser may write anywhere, so he becomes nobody for a moment.
+    // The superuser may write anywhere, so the test becomes the user `nobody` for a moment.
     const bool root = geteuid() == 0;
     if (root) {
         ASSERT_EQ(seteuid(65534), 0);
@@ -135,7 +135,7 @@ TEST_F(Files, ThePersonsErrorsAndTheMachinesAreToldApart) {
     EXPECT_EQ(code_of([] { write_file("/dev/full", "x"); }), ExitCode::tool_failed);
 }
 
-// What std::filesystem throws where nobody asked it for an error code.
+// Exceptions of std::filesystem, from calls that were not asked for an error code.
 TEST_F(Files, FilesystemErrorsAreTranslated) {
     try {
         fs::create_directories(in("a/b"));

@@ -90,7 +90,8 @@ TEST_F(ImageFile, ExrKeepsEveryBitAndTheProvenance) {
     }
 }
 
-// Other programs find the variance, as far as float holds it; and no bit is lost on the way.
+// Other programs find the variance, if float can hold it. No bit is lost when the file is read
+// again.
 TEST_F(ImageFile, ExrHoldsTheVarianceOrWhereFloatCannotTheError) {
     std::mt19937 random(3);
     for (const int exponent : {-149, -110, -60, 0, 60, 110, 127}) {

@@ -18,8 +18,8 @@ constexpr int fewest_procedural_triangles = 100, most_procedural_triangles = 400
 
 struct ProceduralMesh {
     const char* name;  // in scene files and on command lines
-    const char* trait; // what it tries an acceleration structure with
-    bool is_closed;    // every edge is run through as often in one direction as in the other
+    const char* trait; // what makes it hard for an acceleration structure
+    bool is_closed;    // each edge is used as often in one direction as in the other
     // At most `triangles` of them and at least half as many, none without an area, every position
     // a float's value. y is up.
     Mesh (*make)(int triangles, std::uint32_t seed);

@@ -95,7 +95,7 @@ TEST(Hdr, InXyzIsConvertedAndExposuresAreTakenOut) {
     };
     expect_near(texels.at(1), 1 / 8.0, 1 / 16.0, 1 / 32.0);
     expect_near(texels.at(0), 122 / 128.0 / 8, 1 / 16.0, 139 / 128.0 / 32);
-    // Daylight is white, and a colour outside of what sRGB can show is cut off at 0.
+    // The white D65 stays white, and a colour that sRGB cannot show is cut off at 0.
     const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 2\n";
     const Picture two =
         decode_picture(head + std::string("\x7a\x80\x8b\x81\x00\x80\x00\x81", 8), "p");

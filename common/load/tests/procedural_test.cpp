@@ -56,8 +56,8 @@ TEST_P(Procedural, HasTrianglesWithAnAreaAndFloatsForCorners) {
     }
 }
 
-// Closed: whatever goes along an edge one way goes along it the other way too. Outward: the volume
-// that the surface encloses, a sixth of the sum of a . (b x c), is positive.
+// Closed: each edge is used as often in one direction as in the other. Outward: the volume that the
+// surface encloses, a sixth of the sum of a . (b x c), is positive.
 TEST_P(Procedural, IsClosedAndFacesOutwardIfItSaysSo) {
     for (const int n : sizes) {
         const Mesh mesh = GetParam().make(n, 3);

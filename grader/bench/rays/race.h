@@ -19,7 +19,7 @@ struct RaceOptions {
     int builds = 5; // timed, of each structure
     int threads = 1;
     std::uint32_t seed = 1;
-    std::string baseline;        // whom ratios refer to
+    std::string baseline;        // the contestant to which ratios refer
     int verify = 64;             // rays of each kind that are also answered by brute force
     double least_seconds = 0.01; // a contestant traces again in a round until it took this long
 };

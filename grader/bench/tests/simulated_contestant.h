@@ -1,5 +1,5 @@
-// A contestant that needs no time: its image is the known truth with noise of a known size, its
-// seconds are what it is told to take.
+// A contestant that needs no time. Its image is the known truth with noise of a known size, and its
+// seconds are those that the test sets.
 #pragma once
 
 #include "grader/bench/evaluate.h"

@@ -112,7 +112,7 @@ TEST(Compare, OneSampleAPixelTellsNoVariance) {
     two.add(developed(3, 1, 1));
     EXPECT_TRUE(compare(two, alone(many)).verdict.passed);
     EXPECT_FALSE(compare(two, alone(developed(2, 64, 1, 1.1f))).verdict.passed);
-    // A few such pixels leave the other regions decided.
+    // With a few such pixels, the other regions can still be decided.
     Image mixed = many;
     mixed.error[0] = one.error[0];
     mixed.mean[0] *= 100.0f;
@@ -123,8 +123,8 @@ TEST(Compare, OneSampleAPixelTellsNoVariance) {
     EXPECT_LT(std::abs(compare(mixed, bright).worst_relative), 0.2) << "not the pixel's own tile";
 }
 
-// Radiance has no natural unit: a power of two changes neither a bit of the verdict nor of its
-// figures, as far as float holds the radiance itself.
+// Radiance has no natural unit. Multiplying it by a power of two changes no bit of the verdict and
+// of its figures, as long as float can hold the radiance.
 TEST(Compare, NoUnitOfRadianceChangesTheVerdict) {
     for (const float scale : {1.0f, 1.1f}) {
         const auto judged = [&](float unit) {

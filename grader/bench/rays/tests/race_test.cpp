@@ -137,7 +137,7 @@ TEST(Race, TruthIsTheFirstExactOne) {
 TEST(Summary, IsTheGeometricMeanOrSaysWhatIsMissing) {
     RaysBench bench;
     bench.options = against("base");
-    // Twice as fast on one mesh, half as fast on the other: 1 on the whole.
+    // Twice as fast on one mesh and half as fast on the other, so the mean ratio is 1.
     bench.races = {race(small_mesh("terrain"), {fake("base"), fake("other", {50})}, bench.options),
                    race(small_mesh(), {fake("base"), fake("other", {200})}, bench.options)};
     std::vector<RaySummary> all = summaries(bench);
