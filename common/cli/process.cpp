@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -35,8 +36,10 @@ double now() {
 }
 
 // Starts the program in a process group of its own, its output to `pipe_end`. 0, or an errno.
-int start(const std::vector<std::string>& command, const std::filesystem::path& folder,
-          int pipe_end, pid_t& child) {
+int start(const std::vector<std::string>& command, const ProcessOptions& options, int pipe_end,
+          pid_t& child) {
+    const std::filesystem::path& folder = options.folder;
+    using Errors = ProcessOptions::Errors;
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -46,7 +49,10 @@ int start(const std::vector<std::string>& command, const std::filesystem::path& 
     posix_spawnattr_init(&attributes);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+    if (options.errors == Errors::in_output)
+        posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+    if (options.errors == Errors::dropped)
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     sigset_t as_by_default; // the child gets default actions, also for signals ignored here
@@ -67,8 +73,13 @@ bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
     for (;;) {
         const double left = deadline - now();
         pollfd watched = {pipe_end, POLLIN, 0};
-        const int ready = left > 0 ? poll(&watched, 1, 1 + index_of(1000 * left, INT_MAX)) : 0;
+        const double wait = options.tick ? std::min(left, 0.2) : left;
+        const int ready = left > 0 ? poll(&watched, 1, 1 + index_of(1000 * wait, INT_MAX)) : 0;
         if (ready < 0 && errno == EINTR) continue;
+        if (ready == 0 && wait < left) {
+            options.tick();
+            continue;
+        }
         if (ready <= 0) return false;
         const ssize_t n = read(pipe_end, block, sizeof block);
         if (n < 0 && errno == EINTR) continue;
@@ -116,7 +127,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     {
         RunningChild running;
         pid_t child = 0;
-        error = start(command, options.folder, ends[1], child);
+        error = start(command, options, ends[1], child);
         result.started = error == 0;
         running.started(result.started ? child : 0);
         close(ends[1]);

@@ -14,7 +14,8 @@ struct ProcessResult {
     bool started = false;
     bool timed_out = false;
     double seconds = 0; // wall clock, from start to end
-    std::string output; // standard output and error as they came, at least the last 4 MiB
+    std::string output; // standard output and error as they came, at least the last 4 MiB; the
+                        // latter only if the options want it here
 
     bool succeeded() const { return exit_code == 0; }
 };
@@ -23,6 +24,8 @@ struct ProcessOptions {
     double limit_seconds;
     std::filesystem::path folder = {}; // the program's folder; empty: this program's
     std::function<void(const std::string& output)> watch = {}; // gets the output when there is more
+    std::function<void()> tick = {}; // is called now and then while there is nothing to see
+    enum class Errors { in_output, passed_on, dropped } errors = Errors::in_output;
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments and an empty standard

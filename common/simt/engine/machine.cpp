@@ -10,6 +10,7 @@
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/workers.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -24,12 +25,14 @@ namespace {
 
 constexpr size_t usual_shared = 48 << 10, most_shared = 99 << 10; // bytes a block may have
 
-// RAYLAB_ORDER is forward, reverse, random or random:SEED. RAYLAB_REPORTS=0 keeps stderr to the
-// program: who reads the findings has them already.
+// RAYLAB_ORDER is forward, reverse, random or random:SEED; RAYLAB_WORKERS a number of threads.
+// RAYLAB_REPORTS=0 keeps stderr to the program: who reads the findings has them already.
 Options options_of_environment() {
     Options options;
     if (const char* reports = std::getenv("RAYLAB_REPORTS"))
         options.print_reports = std::string(reports) != "0";
+    if (const char* workers = std::getenv("RAYLAB_WORKERS"))
+        options.threads = std::clamp(std::atoi(workers), 0, 1024);
     const char* text = std::getenv("RAYLAB_ORDER");
     const std::string order = text ? text : "";
     if (order.empty() || order == "forward") return options;

@@ -1,0 +1,147 @@
+// The report for people, and the annotations that GitHub shows beside the lines; see output.h.
+#include "app/run/output.h"
+
+#include "app/run/process_words.h"
+#include "common/cli/progress.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+namespace raylab::app {
+
+using simt::Finding;
+using simt::Severity;
+
+namespace {
+
+std::string plural(std::uint64_t count, const std::string& one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : one.ends_with("h") ? "es" : "s");
+}
+
+std::string human_bytes(std::uint64_t bytes) {
+    if (bytes < 10240) return plural(bytes, "byte");
+    if (bytes < (10u << 20)) return fmt::format("{} KiB", bytes >> 10);
+    return fmt::format("{} MiB", bytes >> 20);
+}
+
+std::string triple(const simt::Index3& index) {
+    return fmt::format("({},{},{})", index[0], index[1], index[2]);
+}
+
+std::string other_end(const Finding& finding) {
+    const Finding::Other& other = *finding.other;
+    const bool same = other.place == finding.place;
+    std::string text = same ? "other end: this line too" : "other end: " + in_words(other.place);
+    if (!other.what.empty()) text += ", " + other.what;
+    const std::string who = in_words(other.actor);
+    return who.empty() ? text : text + ", by " + who;
+}
+
+std::string to_text(const Finding& finding) {
+    std::string text = fmt::format("{}: {}: {}\n", in_words(finding.place), name(finding.severity),
+                                   finding.message);
+    const auto add = [&text](const std::string& line) {
+        if (!line.empty()) text += "    " + line + "\n";
+    };
+    add(in_words(finding.actor));
+    if (finding.other) add(other_end(finding));
+    if (!finding.advice.empty()) add("to mend it: " + finding.advice);
+    if (finding.count > 1) add(fmt::format("seen {} times", finding.count));
+    return text;
+}
+
+// How a program ended that has no finding to say so.
+std::string ending(const Execution& execution) {
+    const ProcessResult& process = execution.process;
+    if (process.timed_out) return "was ended, for it ran too long outside of kernels";
+    if (process.signal != 0)
+        return fmt::format("was ended by signal {} ({})", process.signal,
+                           strsignal(process.signal));
+    if (process.exit_code > 0) return fmt::format("returned {}", process.exit_code);
+    return {};
+}
+
+// Of an annotation, as GitHub wants it.
+std::string escaped(const std::string& text, bool is_property) {
+    std::string out;
+    for (char c : text)
+        if (c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ',')))
+            out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        else
+            out += c;
+    return out;
+}
+
+} // namespace
+
+std::string in_words(const simt::SourcePlace& place) {
+    std::string text = place.file.empty() ? "(no line is known)" : place.file;
+    if (place.line > 0) text += fmt::format(":{}", place.line);
+    if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+    return text;
+}
+
+std::string in_words(const simt::Actor& actor) {
+    std::string text;
+    if (!actor.kernel.empty()) text = "kernel " + actor.kernel;
+    if (actor.block) text += (text.empty() ? "block " : ", block ") + triple(*actor.block);
+    if (actor.thread) text += (text.empty() ? "thread " : ", thread ") + triple(*actor.thread);
+    return text;
+}
+
+std::string what_was_checked(const Execution& execution) {
+    std::string text = execution.mode;
+    if (!execution.order.empty()) text += " " + execution.order;
+    if (!execution.summary) return text + ": no kernel was run";
+    const simt::RunSummary& summary = *execution.summary;
+    text += fmt::format(": {}, {}, {} allocated, {}", plural(summary.launches, "launch"),
+                        plural(summary.threads, "CUDA thread"), human_bytes(summary.bytes),
+                        human_duration(execution.process.seconds));
+    const std::string how = ending(execution);
+    return how.empty() ? text : text + "; the program " + how;
+}
+
+std::string to_text(const Result& result) {
+    std::string text;
+    for (const Finding& finding : result.findings) text += to_text(finding);
+    if (result.executions.empty())
+        return result.findings.empty() ? last_lines(result.compiler) + "does not compile\n"
+                                       : text + "does not compile: nothing was run\n";
+    std::array<std::uint64_t, 3> counts{};
+    for (const Finding& finding : result.findings) ++counts[std::size_t(finding.severity)];
+    std::string sums;
+    for (Severity severity : {Severity::error, Severity::warning, Severity::note})
+        if (const auto count = counts[std::size_t(severity)])
+            sums += (sums.empty() ? "" : ", ") + plural(count, name(severity));
+    bool ran = false;
+    for (const Execution& execution : result.executions) {
+        text += "checked " + what_was_checked(execution) + "\n";
+        ran |= execution.summary.has_value();
+    }
+    if (sums.empty()) sums = ran ? "nothing found" : "no kernel was run: nothing was checked";
+    return text + sums + "\n";
+}
+
+std::string to_github(const Result& result) {
+    std::string text;
+    for (const Finding& finding : result.findings) {
+        const char* level = finding.severity == Severity::note ? "notice" : name(finding.severity);
+        std::string words = finding.message;
+        for (const std::string& more :
+             {in_words(finding.actor), finding.other ? other_end(finding) : std::string(),
+              finding.advice.empty() ? std::string() : "to mend it: " + finding.advice})
+            if (!more.empty()) words += "\n" + more;
+        std::string where = "file=" + escaped(finding.place.file, true);
+        if (finding.place.line > 0) where += fmt::format(",line={}", finding.place.line);
+        if (finding.place.column > 0) where += fmt::format(",col={}", finding.place.column);
+        text += fmt::format("::{} {},title={}::{}\n", level, where, escaped(finding.kind, true),
+                            escaped(words, false));
+    }
+    for (const Execution& execution : result.executions)
+        text += "checked " + what_was_checked(execution) + "\n";
+    return text;
+}
+
+} // namespace raylab::app
