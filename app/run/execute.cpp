@@ -9,7 +9,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <regex>
+#include <sstream>
 
 namespace raylab::app {
 
@@ -44,15 +45,25 @@ class Environment {
     std::vector<std::pair<std::string, std::optional<std::string>>> before_;
 };
 
-// What the sanitizers wrote, and no longer on disk.
-std::string take_logs(const fs::path& folder) {
+// What the sanitizers wrote into files of their own.
+std::string sanitizer_logs(const fs::path& folder) {
     std::string text;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().filename().string().starts_with("sanitizer.")) {
+        if (entry.path().filename().string().starts_with("sanitizer."))
             text += read_file(entry.path().string());
-            fs::remove(entry.path());
-        }
     return text;
+}
+
+// UndefinedBehaviorSanitizer writes to standard error whatever it is told. The rest is the
+// program's.
+std::string without_sanitizer(const std::string& errors) {
+    static const std::regex sanitizer(
+        R"(.*: runtime error: .*|0x[0-9a-f]+: note: .*|( [0-9a-f?]{2}| )+|\s*\^\s*)");
+    std::istringstream lines(errors);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+        if (line.empty() || !std::regex_match(line, sanitizer)) kept += line + "\n";
+    return kept;
 }
 
 } // namespace
@@ -60,7 +71,11 @@ std::string take_logs(const fs::path& folder) {
 Execution execute(const Mode& mode, const fs::path& program, const std::string& order,
                   const RunOptions& options, Output show) {
     const fs::path folder = program.parent_path(), findings = folder / "findings.jsonl";
-    fs::remove(findings);
+    const fs::path errors = folder / "errors.txt";
+    for (const auto& entry : fs::directory_iterator(folder)) // of an earlier run
+        if (entry.path() != program && !entry.is_directory() && entry.path().extension() != ".o" &&
+            entry.path().extension() != ".cpp")
+            fs::remove(entry.path());
     const double limit = options.time_limit * mode.patience;
     Execution execution{order.empty() ? mode.name : "order", order, {}, {}, {}, {}};
     Environment environment;
@@ -76,7 +91,7 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
     const std::string symbols = options.raw ? ":symbolize=1" : ":symbolize=0";
     environment.prepend("ASAN_OPTIONS",
                         log + symbols + ":detect_leaks=0:allocator_may_return_null=1");
-    environment.prepend("UBSAN_OPTIONS", log + ":print_stacktrace=1");
+    environment.prepend("UBSAN_OPTIONS", log);
     environment.prepend("TSAN_OPTIONS", log + symbols + ":history_size=4:exitcode=0");
 
     std::vector<std::string> command = {program.string()};
@@ -97,12 +112,14 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
     execution.process = run_process(command, {.limit_seconds = limit + 10,
                                               .watch = watch,
                                               .tick = [&] { progress.tick(); },
-                                              .errors = show == Output::hidden
-                                                            ? ProcessOptions::Errors::dropped
-                                                            : ProcessOptions::Errors::passed_on});
+                                              .errors = ProcessOptions::Errors::to_file,
+                                              .error_file = errors});
+    progress.clear();
     if (!execution.process.started)
         throw std::runtime_error("the program " + why_failed(execution.process));
-    execution.raw = take_logs(folder);
+    const std::string said = read_file(errors.string());
+    if (show != Output::hidden) fmt::print(stderr, "{}", without_sanitizer(said));
+    execution.raw = said + sanitizer_logs(folder);
     if (fs::exists(findings)) {
         simt::FindingsFile file = simt::parse_findings(read_file(findings.string()));
         execution.findings = simt::folded(file.findings);

@@ -51,8 +51,9 @@ int start(const std::vector<std::string>& command, const ProcessOptions& options
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
     if (options.errors == Errors::in_output)
         posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
-    if (options.errors == Errors::dropped)
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    if (options.errors == Errors::to_file)
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, options.error_file.c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0666);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     sigset_t as_by_default; // the child gets default actions, also for signals ignored here

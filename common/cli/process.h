@@ -25,7 +25,8 @@ struct ProcessOptions {
     std::filesystem::path folder = {}; // the program's folder; empty: this program's
     std::function<void(const std::string& output)> watch = {}; // gets the output when there is more
     std::function<void()> tick = {}; // is called now and then while there is nothing to see
-    enum class Errors { in_output, passed_on, dropped } errors = Errors::in_output;
+    enum class Errors { in_output, passed_on, to_file } errors = Errors::in_output;
+    std::filesystem::path error_file = {}; // of to_file, in place of what was there
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments and an empty standard

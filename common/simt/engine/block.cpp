@@ -320,6 +320,12 @@ void Block::fail(const Site& site, const std::string& what, const std::string& t
             to_string(blockIdx) + ", thread " + to_string(threadIdx) + "\n  to do: " + to_do);
 }
 
+Actor Block::actor() const {
+    const uint3 thread = index_[running_];
+    return {work_->launch.kernel, Index3{blockIdx.x, blockIdx.y, blockIdx.z},
+            Index3{thread.x, thread.y, thread.z}};
+}
+
 std::string Block::running() const { return Report(*this).running(); }
 
 // The operations of collectives.h, for whichever block the caller belongs to.

@@ -9,6 +9,7 @@
 #include "common/simt/engine/faults.h"
 #include "common/simt/engine/fiber.h"
 #include "common/simt/engine/shared_memory.h"
+#include "common/simt/finding.h"
 #include "common/simt/launch.h"
 #include "common/simt/options.h"
 #include "common/simt/runtime_errors.h"
@@ -65,6 +66,7 @@ class Block {
     [[noreturn]] void fail(const Site& site, const std::string& what, const std::string& to_do);
 
     void* shared() { return shared_.data(); }
+    size_t shared_bytes() const { return shared_.bytes(); }
 
     // For the watchdog, which is another thread: sends the signal to the thread that runs the
     // block, if one does; and says where the CUDA thread is that has run for so long.
@@ -76,6 +78,7 @@ class Block {
 
     // "thread (3,0,0) of block (0,0,0) of kernel k", for reports of others.
     std::string running() const;
+    Actor actor() const;
 
     // The life of a stack; never returns.
     [[noreturn]] void stack_main();

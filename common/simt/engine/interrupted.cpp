@@ -61,6 +61,16 @@ Fault interrupted(int signal, siginfo_t* information, void* context) {
     return fault;
 }
 
+Fault callers_of(const void* pc) {
+    Fault fault;
+    if (pc) fault.frames[fault.frame_count++] = pc;
+    void* frames[40];
+    const int count = backtrace(frames, 40);
+    for (int i = 0; i < count && fault.frame_count < fault.frames.size(); ++i)
+        fault.frames[fault.frame_count++] = static_cast<char*>(frames[i]) - 1;
+    return fault;
+}
+
 SourcePlace user_place(const Fault& fault) {
     for (size_t i = 0; i < fault.frame_count; ++i)
         if (const auto place = source_place(fault.frames[i])) return *place;

@@ -12,6 +12,9 @@ namespace raylab::simt {
 // For a handler of signals: nothing is allocated.
 Fault interrupted(int signal, siginfo_t* information, void* context);
 
+// The caller and its callers, the innermost first; in front of them `pc`, if it is known.
+Fault callers_of(const void* pc);
+
 // The innermost statement of the user's; an empty place if there is none that is known.
 SourcePlace user_place(const Fault& fault);
 

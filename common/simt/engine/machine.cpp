@@ -8,6 +8,7 @@
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
+#include "common/simt/engine/sanitizer_reports.h"
 #include "common/simt/engine/workers.h"
 
 #include <algorithm>
@@ -26,11 +27,9 @@ namespace {
 constexpr size_t usual_shared = 48 << 10, most_shared = 99 << 10; // bytes a block may have
 
 // RAYLAB_ORDER is forward, reverse, random or random:SEED; RAYLAB_WORKERS a number of threads.
-// RAYLAB_REPORTS=0 keeps stderr to the program: who reads the findings has them already.
 Options options_of_environment() {
     Options options;
-    if (const char* reports = std::getenv("RAYLAB_REPORTS"))
-        options.print_reports = std::string(reports) != "0";
+    options.print_reports = print_reports();
     if (const char* workers = std::getenv("RAYLAB_WORKERS"))
         options.threads = std::clamp(std::atoi(workers), 0, 1024);
     const char* text = std::getenv("RAYLAB_ORDER");
@@ -113,6 +112,11 @@ Refusal check_configuration(const Launch& launch) {
 }
 
 } // namespace
+
+bool print_reports() {
+    const char* reports = std::getenv("RAYLAB_REPORTS");
+    return !reports || std::string(reports) != "0";
+}
 
 cudaError_t refuse(cudaError_t code, const std::string& report) {
     std::lock_guard lock(machine().state);
@@ -251,6 +255,7 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
         fault = machine().workers->run(work);
     }
     announce_acquire(finished.get());
+    record_races();
     if (fault.code != cudaSuccess) remember_fault(fault.code, fault.report);
 }
 

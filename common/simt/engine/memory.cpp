@@ -27,7 +27,12 @@ struct Allocation {
     Where where;
 };
 
-constexpr size_t alignment = 256;     // of cudaMalloc()
+constexpr size_t alignment = 256; // of cudaMalloc()
+#if defined(RAYLAB_CHECK_THREAD)
+constexpr size_t gap = alignment; // so that the end of one allocation is not the next one
+#else
+constexpr size_t gap = 0; // AddressSanitizer makes its own
+#endif
 constexpr size_t most_freed = 10'000; // allocations that are remembered after their end
 
 size_t physical_bytes() {
@@ -40,11 +45,26 @@ struct Freed {
     Where where;
 };
 
+const char* taker(MemoryKind kind) {
+    return kind == MemoryKind::device ? "cudaFree()" : "cudaFreeHost()";
+}
+
+Finding leak(const Allocation& allocation) {
+    Finding finding;
+    finding.kind = "leak";
+    finding.severity = Severity::warning;
+    finding.place = {allocation.where.file, allocation.where.line, 0};
+    finding.message = "leak: these " + std::to_string(allocation.bytes) +
+                      " bytes of device memory were never freed";
+    finding.advice = std::string("give them to ") + taker(allocation.kind) + " at the end";
+    return finding;
+}
+
 class Memory {
   public:
     void* allocate(size_t bytes, MemoryKind kind, const Where& where) {
         if (bytes > physical_bytes()) return nullptr; // a sanitizer's heap would end the program
-        void* pointer = ::operator new(bytes, std::align_val_t(alignment), std::nothrow);
+        void* pointer = ::operator new(bytes + gap, std::align_val_t(alignment), std::nothrow);
         if (!pointer) return nullptr;
         if (check_build) std::memset(pointer, 0xff, bytes); // uninitialised floats are NaNs
         add(pointer, {bytes, kind, where});
@@ -148,13 +168,16 @@ class Memory {
         for (auto& [start, allocation] : allocations_) {
             if (allocation.kind == MemoryKind::symbol) continue;
             ++leaks;
-            std::fprintf(stderr,
-                         "%s: error: device memory leak: these %zu bytes were never given to %s\n",
-                         place(allocation.where).c_str(), allocation.bytes,
-                         allocation.kind == MemoryKind::device ? "cudaFree()" : "cudaFreeHost()");
+            if (print_reports())
+                std::fprintf(
+                    stderr,
+                    "%s: error: device memory leak: these %zu bytes were never given to %s\n",
+                    place(allocation.where).c_str(), allocation.bytes, taker(allocation.kind));
+            record(leak(allocation));
         }
         std::fflush(nullptr);
-        if (leaks) std::_Exit(23); // as LeakSanitizer does
+        if (leaks) write_summary();
+        if (leaks && print_reports()) std::_Exit(23); // as LeakSanitizer does
     }
 
   private:
@@ -238,21 +261,3 @@ DeviceAccess::~DeviceAccess() { memory().end_access(); }
 void release_all() { memory().release_all(); }
 
 } // namespace raylab::simt
-
-#if defined(RAYLAB_CHECK_ADDRESS)
-
-// AddressSanitizer calls this before it prints an error: say what it means in CUDA's terms.
-extern "C" void __asan_on_error() {
-    using namespace raylab::simt;
-    void* address = __asan_get_report_address();
-    Target target = look_up(address);
-    std::string text = "\n";
-    if (current_block)
-        text += "raylab: the memory error below is in " + current_block->running() + "\n";
-    else if (target.is_device() && target.kind == MemoryKind::device)
-        text += "raylab: host code dereferenced a device pointer: use cudaMemcpy()\n";
-    if (target.known) text += "raylab: the address is " + describe(target) + "\n";
-    std::fputs(text.c_str(), stderr);
-}
-
-#endif

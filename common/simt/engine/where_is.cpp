@@ -10,6 +10,7 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #if defined(RAYLAB_HAS_LIBDW)
@@ -109,6 +110,12 @@ SourcePlace call_of(Dwarf_Die* unit, Dwarf_Die* inlined) {
             number(inlined, DW_AT_call_line), number(inlined, DW_AT_call_column)};
 }
 
+bool is_of_the_system(Dwfl_Module* module) {
+    const char* file =
+        dwfl_module_info(module, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+    return file && (!std::strncmp(file, "/usr/lib", 8) || !std::strncmp(file, "/lib", 4));
+}
+
 } // namespace
 
 std::optional<SourcePlace> source_place(const void* pc) {
@@ -116,7 +123,7 @@ std::optional<SourcePlace> source_place(const void* pc) {
     std::lock_guard lock(information.mutex);
     const auto address = Dwarf_Addr(pc);
     Dwfl_Module* module = information.module(address);
-    if (!module) return {};
+    if (!module || is_of_the_system(module)) return {};
     Dwarf_Addr bias = 0;
     Dwarf_Die* unit = dwfl_module_addrdie(module, address, &bias);
     if (!unit) return {};
@@ -138,7 +145,24 @@ std::string function_name(const void* pc) {
     return name ? demangled(name) : std::string();
 }
 
+std::optional<Variable> variable_at(const void* address) {
+    DebugInformation& information = debug_information();
+    std::lock_guard lock(information.mutex);
+    Dwfl_Module* module = information.module(Dwarf_Addr(address));
+    GElf_Sym symbol;
+    GElf_Off offset = 0;
+    const char* name = module ? dwfl_module_addrinfo(module, Dwarf_Addr(address), &offset, &symbol,
+                                                     nullptr, nullptr, nullptr)
+                              : nullptr;
+    if (!name || GELF_ST_TYPE(symbol.st_info) != STT_OBJECT) return {};
+    std::string text = demangled(name); // k(float*)::words
+    if (const std::size_t scope = text.rfind("::"); scope != text.npos) text.erase(0, scope + 2);
+    return Variable{text, offset, symbol.st_size};
+}
+
 #else
+
+std::optional<Variable> variable_at(const void*) { return {}; }
 
 std::optional<SourcePlace> source_place(const void*) { return {}; }
 

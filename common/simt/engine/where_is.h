@@ -15,6 +15,14 @@ namespace raylab::simt {
 // `pc` is an instruction that runs; of a return address give the byte before.
 std::optional<SourcePlace> source_place(const void* pc);
 
+// The variable that lies at, or ends before, an address: one of the program's, as __shared__ arrays
+// are under AddressSanitizer. Nothing for what is on a stack or a heap.
+struct Variable {
+    std::string name;
+    size_t offset = 0, bytes = 0; // of the address in it, and its size
+};
+std::optional<Variable> variable_at(const void* address);
+
 // The name of the function with this instruction, as C++ writes it; empty if not known.
 std::string function_name(const void* pc);
 
