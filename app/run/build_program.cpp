@@ -42,13 +42,12 @@ class Builder {
   public:
     Builder(const Tree& tree, const Machine& machine, const RunOptions& options,
             const fs::path& folder)
-        : machine_(machine), folder_(folder) {
+        : machine_(machine), folder_(folder), includes_(options.include_folders) {
         flags_ = before(machine.compile, " -MD ") + machine.mode->flags;
         flags_ += " -isystem " + in_quotes((tree.root / "common/simt/include").string());
         for (const std::string& include : options.include_folders)
             flags_ += " -I" + in_quotes(fs::absolute(include).string());
         for (const std::string& define : options.defines) flags_ += " -D" + in_quotes(define);
-        cuda_ = " -include " + in_quotes((tree.root / "common/simt/cuda.h").string());
     }
 
     // Whether it went well; the tools' words are kept.
@@ -58,10 +57,9 @@ class Builder {
         const fs::path place = fs::absolute(source);
         std::string to_compile = place.string(), flags = flags_;
         if (ending_of(source) == ".cu") {
-            to_compile = stem + ".cpp";
-            flags += cuda_;
-            if (!run({machine_.rewriter.string(), place.string(), to_compile, source}, folder_))
-                return false;
+            const fs::path tree = folder_ / std::to_string(number);
+            if (!run(rewriting(source, tree), {})) return false;
+            to_compile = fs::path(words_of_last_).lexically_relative(folder_).string();
         }
         flags += " -iquote " + in_quotes(place.parent_path().string());
         objects_ += " " + in_quotes((folder_ / object).string());
@@ -88,9 +86,18 @@ class Builder {
     std::string words;
 
   private:
+    // Where the user is, so that #line names files as the user does. Prints the copy's path.
+    std::vector<std::string> rewriting(const std::string& source, const fs::path& tree) const {
+        std::vector<std::string> command = {machine_.rewriter.string(), "--tree", source,
+                                            tree.string()};
+        command.insert(command.end(), includes_.begin(), includes_.end());
+        return command;
+    }
+
     bool run(const std::vector<std::string>& command, const fs::path& where) {
         const ProcessResult result = run_process(command, {compile_limit_seconds, where});
-        words += result.output;
+        words_of_last_ = result.output.substr(0, result.output.find('\n'));
+        if (command.front() != machine_.rewriter || !result.succeeded()) words += result.output;
         if (!result.started || result.timed_out || result.signal != 0)
             throw std::runtime_error(fmt::format("{}: {}", fs::path(command[0]).filename().string(),
                                                  why_failed(result)));
@@ -99,7 +106,8 @@ class Builder {
 
     const Machine& machine_;
     fs::path folder_;
-    std::string flags_, cuda_, objects_;
+    std::vector<std::string> includes_;
+    std::string flags_, objects_, words_of_last_;
 };
 
 } // namespace

@@ -14,7 +14,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <numeric>
+#include <set>
 
 namespace raylab::simt {
 
@@ -213,9 +215,19 @@ bool Block::agree(int warp, unsigned members) const {
     return true;
 }
 
+// A shuffle reads a lane that brings nothing. In a reduction's later steps the upper lanes do, and
+// nobody uses what they get; where the lowest lane does, it is a mistake.
+void Block::warn_once(int thread) const {
+    static std::mutex mutex;
+    static auto* known = new std::set<const Site*>;
+    std::lock_guard lock(mutex);
+    if (known->insert(waiters_[thread].site).second) warn(Report(*this).bad_source(thread));
+}
+
 // Hands every lane what it gets, and makes it ready.
 void Block::complete(int warp, unsigned members) {
     Waiter* warp_waiters = &waiters_[warp * lanes];
+    const int first = warp * lanes + std::countr_zero(members);
     uint64_t brought[lanes] = {}, ballot = 0;
     uint16_t threads[lanes];
     int count = 0;
@@ -230,8 +242,10 @@ void Block::complete(int warp, unsigned members) {
         Waiter& waiter = waiters_[threads[i]];
         if (waiter.kind == Wait::vote) waiter.value = ballot;
         if (waiter.kind == Wait::gather) std::memcpy(waiter.all, brought, sizeof brought);
-        if (waiter.kind == Wait::shuffle)
-            waiter.value = members >> waiter.source & 1 ? brought[waiter.source] : ~uint64_t(0);
+        if (waiter.kind != Wait::shuffle) continue;
+        const bool is_there = members >> waiter.source & 1;
+        if (!is_there && threads[i] == first) warn_once(threads[i]);
+        waiter.value = is_there ? brought[waiter.source] : ~uint64_t(0);
     }
     in_operation_[warp] &= ~members;
     make_ready(threads, count);

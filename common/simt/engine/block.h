@@ -111,6 +111,7 @@ class Block {
     void make_ready(uint16_t* threads, int count);
     bool agree(int warp, unsigned members) const;
     void complete(int warp, unsigned members);
+    void warn_once(int thread) const;
     bool release_converged();
     void go_on(int thread);
     unsigned existing(int warp) const;

@@ -130,6 +130,11 @@ void remember_fault(cudaError_t code, const std::string& report) {
     note(code, report);
 }
 
+void warn(const std::string& report) {
+    record(finding_of_report(report));
+    if (machine().options.print_reports) std::fputs((report + "\n").c_str(), stderr);
+}
+
 cudaError_t sticky_error() {
     std::lock_guard lock(machine().state);
     return machine().sticky;

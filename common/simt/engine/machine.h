@@ -15,6 +15,9 @@ cudaError_t refuse(cudaError_t code, const std::string& report);
 // Remembers a fault inside a kernel, which stays until cudaDeviceReset().
 void remember_fault(cudaError_t code, const std::string& report);
 
+// Reports what is wrong in a kernel that goes on nevertheless.
+void warn(const std::string& report);
+
 // The fault that every call must return, or cudaSuccess.
 cudaError_t sticky_error();
 

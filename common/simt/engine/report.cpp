@@ -183,6 +183,23 @@ std::string Report::not_in_mask(const Site& site, unsigned mask) const {
            "do";
 }
 
+std::string Report::bad_source(int thread) const {
+    const auto& waiter = block_.waiters_[thread];
+    const unsigned existing = block_.existing(thread / lanes);
+    const bool exists = existing >> waiter.source & 1;
+    return head(*waiter.site,
+                std::string("bad source: ") + waiter.site->operation + " reads lane " +
+                    std::to_string(waiter.source) +
+                    (exists ? ", which the mask " + hexadecimal(waiter.mask) + " does not name"
+                            : ", and the last warp of the block has only " +
+                                  std::to_string(std::popcount(existing)) + " lanes"),
+                thread) +
+           "  expected: every lane that is read comes here with a value\n  to do: " +
+           (exists ? "name in the mask every lane that is read"
+                   : "launch a multiple of 32 threads and let those beyond the end bring 0, or use "
+                     "__ballot_sync() and read only lanes that are in it");
+}
+
 std::string Report::trapped(const Site& site) const {
     return head(site, "the kernel called __trap()", block_.running_);
 }

@@ -18,6 +18,9 @@ class Report {
     // The running thread names a mask without its own lane.
     std::string not_in_mask(const Site& site, unsigned mask) const;
 
+    // The thread shuffles a value from a lane that is not there, or not in the mask.
+    std::string bad_source(int thread) const;
+
     std::string trapped(const Site& site) const;
 
     // crash_report.cpp: the processor stopped the running thread; an assert() of its failed; it

@@ -27,6 +27,7 @@ constexpr struct {
     {"division by zero", "division-by-zero"},
     {"does not end", "endless-loop"},
     {"abort()", "abort"},
+    {"bad source", "bad-source"},
     {"bad mask", "bad-mask"},
     {"exit before a barrier", "exit-before-barrier"},
     {"divergent barrier", "divergent-barrier"},

@@ -1,0 +1,94 @@
+// `raylab run` as a person and as a program meet it.
+#include "app/run/compiler_errors.h"
+#include "app/run/output.h"
+#include "app/tests/shell.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace raylab::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string corpus = RAYLAB_ROOT "/tests/machine/cuda/";
+
+Outcome run(const std::string& arguments) {
+    return run_in_shell(std::string(RAYLAB_RUN_PROGRAM) + " run " + arguments);
+}
+
+TEST(Run, WrongUsageIsRefused) {
+    EXPECT_EQ(run("").code, 2);
+    EXPECT_EQ(run("nowhere.cu").code, 2);
+    EXPECT_THAT(run("nowhere.cu").text, HasSubstr("no file or folder 'nowhere.cu'"));
+    EXPECT_EQ(run(RAYLAB_ROOT "/README.md").code, 2);
+    EXPECT_EQ(run(RAYLAB_ROOT "/docs").code, 2);
+    EXPECT_EQ(run(corpus + "n02_histogram.cu --machine fast").code, 2);
+    EXPECT_EQ(run(corpus + "n02_histogram.cu --json --sarif").code, 2);
+}
+
+TEST(Run, ARightProgramIsToldSo) {
+    const Outcome outcome = run(corpus + "n02_histogram.cu");
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("nothing found"));
+    EXPECT_THAT(outcome.text, HasSubstr("1 launch"));
+}
+
+TEST(Run, AMistakeHasItsLineThreadAndAdvice) {
+    const Outcome outcome = run(corpus + "w49_null_pointer.cu");
+    EXPECT_EQ(outcome.code, 1) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("w49_null_pointer.cu:6:62: error: null pointer"));
+    EXPECT_THAT(outcome.text, HasSubstr("kernel k, block (0,0,0), thread (0,0,0)"));
+    EXPECT_THAT(outcome.text, HasSubstr("to mend it: allocate"));
+}
+
+TEST(Run, ForPrograms) {
+    EXPECT_THAT(run(corpus + "w49_null_pointer.cu --json 2>/dev/null").text,
+                HasSubstr("\"kind\": \"null-pointer\""));
+    EXPECT_THAT(run(corpus + "w49_null_pointer.cu --github 2>/dev/null").text,
+                HasSubstr("::error file=" + corpus + "w49_null_pointer.cu,line=6,col=62"));
+    EXPECT_THAT(run(corpus + "w49_null_pointer.cu --sarif 2>/dev/null").text,
+                HasSubstr("\"startLine\": 6"));
+}
+
+TEST(Run, WhatDoesNotCompile) {
+    const fs::path file = fs::temp_directory_path() / "raylab_run_test.cu";
+    std::ofstream(file) << "int main() { return x; }\n";
+    const Outcome outcome = run(file.string());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.text, HasSubstr("raylab_run_test.cu:1:21: error:"));
+    std::ofstream(file) << "int main(int n, char** words) { return n == 2 && *words[1] == 'a'; }\n";
+    EXPECT_EQ(run(file.string()).code, 3); // no kernel was run
+    EXPECT_THAT(run(file.string()).text, HasSubstr("no kernel was run"));
+    EXPECT_THAT(run(file.string() + " -- a").text, HasSubstr("the program returned 1"));
+    fs::remove(file);
+}
+
+TEST(CompilerErrors, InAHeaderAreToldAtTheLineThatLedThere) {
+    const auto findings = compiler_errors("h.h: In function 'f':\n"
+                                          "a.cu:9:3:   required from here\n"
+                                          "h.h:70:1: error: static assertion failed\n"
+                                          "a.cu:12: error: no\n",
+                                          {"a.cu"});
+    ASSERT_EQ(findings.size(), 2u);
+    EXPECT_EQ(findings[0].place, (simt::SourcePlace{"a.cu", 9, 3}));
+    EXPECT_EQ(findings[1].place, (simt::SourcePlace{"a.cu", 12, 0}));
+}
+
+TEST(Output, AnnotationsEscapeWhatEndsThem) {
+    Result result;
+    simt::Finding finding;
+    finding.kind = "race";
+    finding.place = {"a,b.cu", 3, 0};
+    finding.message = "50% of\nall";
+    result.findings = {finding};
+    EXPECT_THAT(to_github(result), HasSubstr("file=a%2Cb.cu,line=3,title=race::50%25 of%0Aall"));
+}
+
+} // namespace
+} // namespace raylab::app

@@ -1,0 +1,32 @@
+// expect: nothing
+#include <cuda_runtime.h>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+__global__ void k(const float* a, float* b) {
+    int t = threadIdx.x;
+    float v = a[t];
+    if (t % 32 < 16)
+        v += __shfl_down_sync(0x0000ffff, v, 8, 16);
+    else
+        v += __shfl_xor_sync(0xffff0000, v, 1, 16);
+    b[t] = v;
+}
+int main() {
+    const int n = 256;
+    std::vector<float> h(n);
+    for (int i = 0; i < n; ++i) h[i] = i % 7;
+    float *a, *b;
+    cudaMalloc(&a, n * sizeof(float));
+    cudaMalloc(&b, n * sizeof(float));
+    cudaMemcpy(a, h.data(), n * sizeof(float), cudaMemcpyHostToDevice);
+    cudaMemset(b, 0, n * sizeof(float));
+    k<<<1, 64>>>(a, b);
+    cudaMemcpy(h.data(), b, n * sizeof(float), cudaMemcpyDeviceToHost);
+    printf("%g %g\n", h[0], h[n - 1]);
+    cudaFree(a);
+    cudaFree(b);
+    cudaError_t e = cudaDeviceSynchronize();
+    printf("status: %s\n", cudaGetErrorString(e));
+    return e != cudaSuccess;
+}

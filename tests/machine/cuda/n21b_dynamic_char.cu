@@ -1,0 +1,30 @@
+// expect: nothing
+#include <cuda_runtime.h>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+__global__ void k(const float* a, float* b) {
+    extern __shared__ __align__(16) unsigned char raw[];
+    float4* v = reinterpret_cast<float4*>(raw);
+    v[threadIdx.x] = reinterpret_cast<const float4*>(a)[threadIdx.x];
+    __syncthreads();
+    b[threadIdx.x] = v[31 - threadIdx.x].w;
+}
+int main() {
+    const int n = 256;
+    std::vector<float> h(n);
+    for (int i = 0; i < n; ++i) h[i] = i % 7;
+    float *a, *b;
+    cudaMalloc(&a, n * sizeof(float));
+    cudaMalloc(&b, n * sizeof(float));
+    cudaMemcpy(a, h.data(), n * sizeof(float), cudaMemcpyHostToDevice);
+    cudaMemset(b, 0, n * sizeof(float));
+    k<<<1, 32, 32 * sizeof(float4)>>>(a, b);
+    cudaMemcpy(h.data(), b, n * sizeof(float), cudaMemcpyDeviceToHost);
+    printf("%g %g\n", h[0], h[n - 1]);
+    cudaFree(a);
+    cudaFree(b);
+    cudaError_t e = cudaDeviceSynchronize();
+    printf("status: %s\n", cudaGetErrorString(e));
+    return e != cudaSuccess;
+}

@@ -1,0 +1,30 @@
+// expect: races error 8|9 race
+#include <cuda_runtime.h>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+__global__ void k(const float* a, int* b, int n) {
+    __shared__ int bins[8];
+    if (threadIdx.x < 8) bins[threadIdx.x] = 0;  // BUG
+    for (int i = threadIdx.x; i < n; i += blockDim.x) atomicAdd(&bins[(int)a[i]], 1);  // BUG
+    __syncthreads();
+    if (threadIdx.x < 8) atomicAdd(&b[threadIdx.x], bins[threadIdx.x]);
+}
+int main() {
+    const int n = 256;
+    std::vector<float> h(n);
+    for (int i = 0; i < n; ++i) h[i] = i % 7;
+    float *a, *b;
+    cudaMalloc(&a, n * sizeof(float));
+    cudaMalloc(&b, n * sizeof(float));
+    cudaMemcpy(a, h.data(), n * sizeof(float), cudaMemcpyHostToDevice);
+    cudaMemset(b, 0, n * sizeof(float));
+    k<<<2, 64>>>(a, (int*)b, n);
+    cudaMemcpy(h.data(), b, n * sizeof(float), cudaMemcpyDeviceToHost);
+    printf("%g %g\n", h[0], h[n - 1]);
+    cudaFree(a);
+    cudaFree(b);
+    cudaError_t e = cudaDeviceSynchronize();
+    printf("status: %s\n", cudaGetErrorString(e));
+    return e != cudaSuccess;
+}

@@ -1,0 +1,30 @@
+// expect: bounds error 11 out-of-bounds
+#include <cuda_runtime.h>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+__global__ void k(const float* a, float* b) {
+    __shared__ float s[8][8];
+    int x = threadIdx.x, y = threadIdx.y;
+    s[y][x] = a[y * 8 + x];
+    __syncthreads();
+    b[y * 8 + x] = s[y][x + 1];  // BUG
+}
+int main() {
+    const int n = 256;
+    std::vector<float> h(n);
+    for (int i = 0; i < n; ++i) h[i] = i % 7;
+    float *a, *b;
+    cudaMalloc(&a, n * sizeof(float));
+    cudaMalloc(&b, n * sizeof(float));
+    cudaMemcpy(a, h.data(), n * sizeof(float), cudaMemcpyHostToDevice);
+    cudaMemset(b, 0, n * sizeof(float));
+    k<<<1, dim3(8, 7)>>>(a, b);
+    cudaMemcpy(h.data(), b, n * sizeof(float), cudaMemcpyDeviceToHost);
+    printf("%g %g\n", h[0], h[n - 1]);
+    cudaFree(a);
+    cudaFree(b);
+    cudaError_t e = cudaDeviceSynchronize();
+    printf("status: %s\n", cudaGetErrorString(e));
+    return e != cudaSuccess;
+}
