@@ -94,11 +94,12 @@ std::string in_words(const simt::Actor& actor) {
 std::string what_was_checked(const Execution& execution) {
     std::string text = execution.mode;
     if (!execution.order.empty()) text += " " + execution.order;
-    if (!execution.summary) return text + ": no kernel was run";
-    const simt::RunSummary& summary = *execution.summary;
-    text += fmt::format(": {}, {}, {} allocated, {}", plural(summary.launches, "launch"),
-                        plural(summary.threads, "CUDA thread"), human_bytes(summary.bytes),
-                        human_duration(execution.process.seconds));
+    if (const auto& summary = execution.summary)
+        text += fmt::format(": {}, {}, {} allocated, {}", plural(summary->launches, "launch"),
+                            plural(summary->threads, "CUDA thread"), human_bytes(summary->bytes),
+                            human_duration(execution.process.seconds));
+    else
+        text += ": no kernel was run";
     const std::string how = ending(execution);
     return how.empty() ? text : text + "; the program " + how;
 }
