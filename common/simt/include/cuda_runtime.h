@@ -16,6 +16,7 @@
 #include "common/simt/api/memory_access.h"
 #include "common/simt/api/pitched.h"
 #include "common/simt/api/streams.h"
+#include "common/simt/api/texture_fetch.h"
 #include "common/simt/api/warp.h"
 
 // nvcc's front end reads these as well, and programs count on it.

@@ -81,8 +81,8 @@ TEST(ForeignLaunch, AssertNamesTheThread) {
     claims<<<2, 32>>>(out.data());
     EXPECT_EQ(cudaDeviceSynchronize(), cudaErrorAssert);
     std::string report = last_report();
-    for (const char* words : {"launches.cu:", "assertion failed: threadIdx.x != 7", "thread (7,0,0)",
-                              "block (1,0,0)", "kernel claims"})
+    for (const char* words : {"launches.cu:", "assertion failed: threadIdx.x != 7",
+                              "thread (7,0,0)", "block (1,0,0)", "kernel claims"})
         EXPECT_NE(report.find(words), report.npos) << report << line;
     cudaDeviceReset();
     set_options({});
