@@ -14,6 +14,14 @@ inline constexpr unsigned cudaHostRegisterDefault = 0, cudaHostRegisterPortable 
                           cudaHostRegisterReadOnly = 8;
 inline constexpr int cudaCpuDeviceId = -1, cudaInvalidDeviceId = -2;
 
+namespace raylab::simt {
+
+// From now on kernels and copies take memory from anywhere. Thrust with its C++ backend has its
+// device vectors where the host has its own.
+bool take_any_memory();
+
+} // namespace raylab::simt
+
 enum cudaMemoryType {
     cudaMemoryTypeUnregistered = 0,
     cudaMemoryTypeHost = 1,

@@ -1,6 +1,7 @@
 // cudaMemcpy() and cudaMemset(): both ends must be where the caller says, and long enough.
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/memory.h"
+#include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
 
 #include <cstring>
@@ -12,7 +13,7 @@ static std::string wrong_end(const char* end, const void* pointer, size_t bytes,
                              bool must_be_device, const Where& where) {
     std::string start = place(where) + ": error: the " + end;
     Target target = look_up(pointer);
-    if (must_be_device && !target.is_device())
+    if (must_be_device && !target.is_device() && !is_registered(pointer))
         return start + " is not device memory\n  expected: a pointer from cudaMalloc() that was "
                        "not freed; check the order of the arguments and the direction";
     bool shared = target.known && target.kind == MemoryKind::managed;

@@ -7,6 +7,7 @@
 #include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <unistd.h>
@@ -17,6 +18,8 @@ namespace {
 
 std::mutex mutex;
 
+std::atomic<bool> any_memory{false};
+
 std::map<const char*, size_t>& ranges() { // by first byte
     static std::map<const char*, size_t> ranges;
     return ranges;
@@ -26,7 +29,10 @@ std::map<const char*, size_t>& ranges() { // by first byte
 
 namespace raylab::simt {
 
+bool take_any_memory() { return any_memory = true; }
+
 bool is_registered(const void* pointer) {
+    if (any_memory) return true;
     std::lock_guard lock(mutex);
     auto address = static_cast<const char*>(pointer);
     auto next = ranges().upper_bound(address);
@@ -47,7 +53,7 @@ cudaError_t cudaHostRegister(void* host, size_t bytes, unsigned, Where where) {
     if (!host || bytes == 0)
         return refuse(cudaErrorInvalidValue,
                       place(where) + ": error: cudaHostRegister() is given no memory");
-    if (is_registered(host) || look_up(host).holds(1))
+    if ((is_registered(host) && !any_memory) || look_up(host).holds(1))
         return refuse(cudaErrorHostMemoryAlreadyRegistered,
                       place(where) + ": error: this memory is registered already");
     std::lock_guard lock(mutex);
@@ -90,7 +96,8 @@ cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* attributes, const vo
     auto address = const_cast<void*>(pointer);
     *attributes = {cudaMemoryTypeUnregistered, cudaInvalidDeviceId, nullptr, address};
     bool inside = target.known && target.offset < target.bytes;
-    if (is_registered(pointer) || (inside && target.kind == MemoryKind::pinned_host))
+    if ((is_registered(pointer) && !any_memory) ||
+        (inside && target.kind == MemoryKind::pinned_host))
         *attributes = {cudaMemoryTypeHost, 0, address, address};
     else if (inside && target.kind == MemoryKind::managed)
         *attributes = {cudaMemoryTypeManaged, 0, address, address};

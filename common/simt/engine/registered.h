@@ -3,6 +3,7 @@
 
 namespace raylab::simt {
 
+// Also any pointer, after take_any_memory() (api/managed.h).
 bool is_registered(const void* pointer);
 
 } // namespace raylab::simt

@@ -16,7 +16,7 @@
 #include "common/simt/api/memory_access.h"
 #include "common/simt/api/pitched.h"
 #include "common/simt/api/streams.h"
-#include "common/simt/api/texture_fetch.h"
+#include "common/simt/api/texture_reference.h"
 #include "common/simt/api/warp.h"
 
 // nvcc's front end reads these as well, and programs count on it.
@@ -46,3 +46,7 @@
 #define __CUDACC_VER_MAJOR__ 12
 #define __CUDACC_VER_MINOR__ 4
 #define __CUDACC_VER_BUILD__ 0
+
+#if defined(THRUST_DEVICE_SYSTEM) // the program is compiled with thrust
+[[maybe_unused]] static const bool raylab_takes_any_memory = raylab::simt::take_any_memory();
+#endif

@@ -230,6 +230,11 @@ class Rewriter {
                     break;
                 }
         }
+        if (is(i, "texture")) {
+            if (i > 0 && (is(i - 1, "class") || is(i - 1, "struct"))) own_texture_ = true;
+            if (is(i + 1, "<") && !own_texture_)
+                edits_.push_back(replace(i, i, "::raylab::simt::TextureReference"));
+        }
         if (is(i, "__noinline__") && (i == 0 || (!is(i - 1, "(") && !is(i - 1, ","))))
             edits_.push_back(replace(i, i, "__attribute__((noinline))"));
         if ((is(i, "cudaLaunchKernel") || is(i, "cudaLaunchCooperativeKernel")) && is(i + 1, "("))
@@ -309,6 +314,7 @@ class Rewriter {
     Conditions conditions_;
     std::vector<Edit> edits_;
     std::vector<bool> scopes_;
+    bool own_texture_ = false;
     bool kernel_ = false; // of the function around, whether it runs on the device alone
 };
 

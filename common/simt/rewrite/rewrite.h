@@ -27,9 +27,10 @@ struct Include {
 };
 
 // As rewrite(), for a program that was not written for raylab, or a header of it. Also: extern
-// __shared__ outside of functions; `inline` written twice, which nvcc allows; kernels cast to void*
-// where they are launched by address. Inline PTX, launches by kernels and what `include` refuses
-// are refused; under an #if or in a macro only where the compiler comes to it.
+// __shared__ outside of functions; texture references; `inline` written twice, which nvcc allows;
+// kernels cast to void* where they are launched by address. Inline PTX, launches by kernels and
+// what `include` refuses are refused; under an #if or in a macro only where the compiler comes to
+// it.
 std::string rewrite_foreign(std::string_view source, const std::string& name,
                             const std::function<Include(std::string_view)>& include);
 

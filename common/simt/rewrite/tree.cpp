@@ -18,10 +18,13 @@ namespace {
 class Tree {
   public:
     Tree(const fs::path& source, const fs::path& out, const std::vector<fs::path>& folders)
-        : home_(folder_of(source)), out_(fs::absolute(out)), folders_(folders) {
-        has_thrust_ = fs::exists("/usr/include/thrust/version.h");
-        for (const fs::path& folder : folders_)
-            has_thrust_ |= fs::exists(folder / "thrust/version.h");
+        : home_(folder_of(source)), out_(fs::absolute(out)),
+          has_thrust_(has_thrust("/usr/include")) {
+        for (const fs::path& folder : folders)
+            if (has_thrust(folder))
+                has_thrust_ = true; // a library for a host compiler already: it stays as it is
+            else
+                folders_.push_back(folder);
     }
 
     // Rewrites the file, and those it includes, and returns where the copy is.
@@ -40,6 +43,10 @@ class Tree {
   private:
     static fs::path folder_of(const fs::path& file) {
         return file.has_parent_path() ? file.parent_path() : fs::path(".");
+    }
+
+    static bool has_thrust(const fs::path& folder) {
+        return fs::exists(folder / "thrust/version.h");
     }
 
     Include include(std::string_view quoted, const fs::path& folder) {
@@ -81,9 +88,9 @@ class Tree {
     }
 
     fs::path home_, out_;
+    bool has_thrust_;
     std::vector<fs::path> folders_;
     std::set<fs::path> done_;
-    bool has_thrust_ = false;
 };
 
 } // namespace

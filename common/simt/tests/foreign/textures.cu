@@ -224,3 +224,38 @@ TEST(Surfaces, AreReadAndWrittenByBytes) {
         EXPECT_EQ(cudaFreeArray(arrays[i]), cudaSuccess);
     }
 }
+
+namespace {
+
+texture<float> line_reference;
+texture<float, 2> plane_reference;
+texture<uchar4, cudaTextureType2D, cudaReadModeNormalizedFloat> bytes_reference;
+
+__global__ void read_references(float* out) {
+    out[0] = tex1Dfetch(line_reference, 2);
+    out[1] = tex2D(plane_reference, 1, 1);
+    out[2] = tex2D(bytes_reference, 0.5f, 0.5f).y;
+}
+
+} // namespace
+
+// As the programming guide of CUDA 4 and the books have them.
+TEST(Textures, ReferencesAreBoundToMemory) {
+    DeviceArray<float> memory({1, 2, 3, 4}), out(3);
+    auto channels = cudaCreateChannelDesc<float>();
+    ASSERT_EQ(cudaBindTexture(nullptr, line_reference, memory.data(), 16), cudaSuccess);
+    ASSERT_EQ(cudaBindTexture2D(nullptr, plane_reference, memory.data(), channels, 2, 2, 8),
+              cudaSuccess);
+    auto bytes = cudaCreateChannelDesc<uchar4>();
+    cudaArray_t array;
+    uchar4 texel = make_uchar4(0, 255, 0, 0);
+    ASSERT_EQ(cudaMallocArray(&array, &bytes, 1, 1), cudaSuccess);
+    ASSERT_EQ(cudaMemcpyToArray(array, 0, 0, &texel, 4, cudaMemcpyHostToDevice), cudaSuccess);
+    ASSERT_EQ(cudaBindTextureToArray(bytes_reference, array), cudaSuccess);
+    read_references<<<1, 1>>>(out.data());
+    EXPECT_EQ(out.host(), (std::vector<float>{3, 4, 1}));
+    EXPECT_EQ(cudaUnbindTexture(line_reference), cudaSuccess);
+    EXPECT_EQ(cudaUnbindTexture(plane_reference), cudaSuccess);
+    EXPECT_EQ(cudaUnbindTexture(bytes_reference), cudaSuccess);
+    EXPECT_EQ(cudaFreeArray(array), cudaSuccess);
+}
