@@ -69,8 +69,8 @@ elseif(RAYLAB_SANITIZE STREQUAL "thread")
     target_compile_options(raylab_flags INTERFACE
         $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=thread;-fno-omit-frame-pointer;-g1>)
     target_link_options(raylab_flags INTERFACE -fsanitize=thread)
-elseif(NOT RAYLAB_SANITIZE STREQUAL "")
-    message(FATAL_ERROR "RAYLAB_SANITIZE is '${RAYLAB_SANITIZE}': expected empty, address or thread")
+elseif(NOT RAYLAB_SANITIZE MATCHES "^(watch)?$") # watch: of kernels alone (common/simt/CMakeLists.txt)
+    message(FATAL_ERROR "RAYLAB_SANITIZE is '${RAYLAB_SANITIZE}': expected empty, address, thread or watch")
 endif()
 
 find_package(Threads REQUIRED)

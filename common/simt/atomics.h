@@ -5,13 +5,15 @@
 // understands the usual "write, fence, count; the last one reads".
 #pragma once
 
+#include "common/simt/qualifiers.h"
+
 #include <cstdint>
 #include <type_traits>
 
 namespace raylab::simt {
 
 // Replaces *address by update(*address), trying again while other threads get in between.
-template <class T, class Update> inline T atomic_update(T* address, Update update) {
+template <class T, class Update> __forceinline__ T atomic_update(T* address, Update update) {
     T found, wanted;
     __atomic_load(address, &found, __ATOMIC_RELAXED);
     do {
@@ -23,54 +25,56 @@ template <class T, class Update> inline T atomic_update(T* address, Update updat
 
 } // namespace raylab::simt
 
-inline int atomicAdd(int* p, int v) { return __atomic_fetch_add(p, v, __ATOMIC_ACQ_REL); }
-inline unsigned atomicAdd(unsigned* p, unsigned v) {
+__forceinline__ int atomicAdd(int* p, int v) { return __atomic_fetch_add(p, v, __ATOMIC_ACQ_REL); }
+__forceinline__ unsigned atomicAdd(unsigned* p, unsigned v) {
     return __atomic_fetch_add(p, v, __ATOMIC_ACQ_REL);
 }
-inline unsigned long long atomicAdd(unsigned long long* p, unsigned long long v) {
+__forceinline__ unsigned long long atomicAdd(unsigned long long* p, unsigned long long v) {
     return __atomic_fetch_add(p, v, __ATOMIC_ACQ_REL);
 }
-inline float atomicAdd(float* p, float v) {
+__forceinline__ float atomicAdd(float* p, float v) {
     return raylab::simt::atomic_update(p, [v](float old) { return old + v; });
 }
-inline double atomicAdd(double* p, double v) {
+__forceinline__ double atomicAdd(double* p, double v) {
     return raylab::simt::atomic_update(p, [v](double old) { return old + v; });
 }
 
-inline int atomicSub(int* p, int v) { return __atomic_fetch_sub(p, v, __ATOMIC_ACQ_REL); }
-inline unsigned atomicSub(unsigned* p, unsigned v) {
+__forceinline__ int atomicSub(int* p, int v) { return __atomic_fetch_sub(p, v, __ATOMIC_ACQ_REL); }
+__forceinline__ unsigned atomicSub(unsigned* p, unsigned v) {
     return __atomic_fetch_sub(p, v, __ATOMIC_ACQ_REL);
 }
 
-inline float atomicExch(float* p, float v) {
+__forceinline__ float atomicExch(float* p, float v) {
     float found;
     __atomic_exchange(p, &v, &found, __ATOMIC_ACQ_REL);
     return found;
 }
 
 // atomicInc counts 0, 1, ..., limit, 0, ...; atomicDec counts down, and restarts at the limit.
-inline unsigned atomicInc(unsigned* p, unsigned limit) {
+__forceinline__ unsigned atomicInc(unsigned* p, unsigned limit) {
     return raylab::simt::atomic_update(p, [=](unsigned old) { return old >= limit ? 0 : old + 1; });
 }
-inline unsigned atomicDec(unsigned* p, unsigned limit) {
+__forceinline__ unsigned atomicDec(unsigned* p, unsigned limit) {
     return raylab::simt::atomic_update(
         p, [=](unsigned old) { return old == 0 || old > limit ? limit : old - 1; });
 }
 
 // The operations that CUDA gives for each integer type.
 #define RAYLAB_ATOMICS(T)                                                                          \
-    inline T atomicExch(T* p, T v) { return __atomic_exchange_n(p, v, __ATOMIC_ACQ_REL); }         \
-    inline T atomicAnd(T* p, T v) { return __atomic_fetch_and(p, v, __ATOMIC_ACQ_REL); }           \
-    inline T atomicOr(T* p, T v) { return __atomic_fetch_or(p, v, __ATOMIC_ACQ_REL); }             \
-    inline T atomicXor(T* p, T v) { return __atomic_fetch_xor(p, v, __ATOMIC_ACQ_REL); }           \
-    inline T atomicCAS(T* p, T compare, T v) {                                                     \
+    __forceinline__ T atomicExch(T* p, T v) {                                                      \
+        return __atomic_exchange_n(p, v, __ATOMIC_ACQ_REL);                                        \
+    }                                                                                              \
+    __forceinline__ T atomicAnd(T* p, T v) { return __atomic_fetch_and(p, v, __ATOMIC_ACQ_REL); }  \
+    __forceinline__ T atomicOr(T* p, T v) { return __atomic_fetch_or(p, v, __ATOMIC_ACQ_REL); }    \
+    __forceinline__ T atomicXor(T* p, T v) { return __atomic_fetch_xor(p, v, __ATOMIC_ACQ_REL); }  \
+    __forceinline__ T atomicCAS(T* p, T compare, T v) {                                            \
         __atomic_compare_exchange_n(p, &compare, v, false, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);    \
         return compare;                                                                            \
     }                                                                                              \
-    inline T atomicMin(T* p, T v) {                                                                \
+    __forceinline__ T atomicMin(T* p, T v) {                                                       \
         return raylab::simt::atomic_update(p, [v](T old) { return v < old ? v : old; });           \
     }                                                                                              \
-    inline T atomicMax(T* p, T v) {                                                                \
+    __forceinline__ T atomicMax(T* p, T v) {                                                       \
         return raylab::simt::atomic_update(p, [v](T old) { return old < v ? v : old; });           \
     }
 
@@ -80,10 +84,10 @@ RAYLAB_ATOMICS(unsigned long long)
 
 #undef RAYLAB_ATOMICS
 
-inline long long atomicMin(long long* p, long long v) {
+__forceinline__ long long atomicMin(long long* p, long long v) {
     return raylab::simt::atomic_update(p, [v](long long old) { return v < old ? v : old; });
 }
-inline long long atomicMax(long long* p, long long v) {
+__forceinline__ long long atomicMax(long long* p, long long v) {
     return raylab::simt::atomic_update(p, [v](long long old) { return old < v ? v : old; });
 }
 

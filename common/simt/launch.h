@@ -17,6 +17,13 @@
 #include <type_traits>
 #include <utility>
 
+// The launch itself reads the arguments where host code left them: not an access of the kernel.
+#if defined(RAYLAB_CHECK_WATCH)
+#define RAYLAB_UNWATCHED __attribute__((no_sanitize("thread")))
+#else
+#define RAYLAB_UNWATCHED
+#endif
+
 namespace raylab::simt {
 
 // Everything about a launch but the kernel's arguments.
@@ -79,7 +86,7 @@ template <class... Params>
 #if defined(__clang__)
 __attribute__((no_sanitize("function")))
 #endif
-inline void
+RAYLAB_UNWATCHED inline void
 call_kernel(void (*kernel)(Params...), const Params&... params) {
     if constexpr ((is_plain<Params> && ...)) {
         kernel(params...);
@@ -87,9 +94,8 @@ call_kernel(void (*kernel)(Params...), const Params&... params) {
         auto by_address =
             reinterpret_cast<void (*)(decltype(std::declval<Copy<Params>&>().get())...)>(
                 reinterpret_cast<void (*)()>(kernel)); // by which g++ knows that this is meant
-        [by_address](Copy<Params>... copies) {
-            by_address(copies.get()...);
-        }(Copy<Params>{params}...);
+        [by_address](Copy<Params>... copies)
+            RAYLAB_UNWATCHED { by_address(copies.get()...); }(Copy<Params>{params}...);
     }
 }
 
@@ -101,9 +107,10 @@ inline void run_with(const Launch& launch, Call call, const Args&... args) {
                   "cudaMemcpy() and give the pointer");
     int index = 0;
     if (!(check_argument_value(launch, ++index, args) && ...)) return;
-    auto closure = [&] { call(args...); };
+    auto closure = [&]() RAYLAB_UNWATCHED { call(args...); };
     run(
-        launch, [](const void* self) { (*static_cast<const decltype(closure)*>(self))(); },
+        launch,
+        [](const void* self) RAYLAB_UNWATCHED { (*static_cast<const decltype(closure)*>(self))(); },
         &closure);
 }
 
@@ -115,12 +122,13 @@ template <class ByCall, class... Params> struct FunctionLauncher {
     ByCall call;
     void operator()(Params... params) const {
         run_with(
-            launch, [this](const Params&... p) { call_kernel(kernel, p...); }, params...);
+            launch, [this](const Params&... p) RAYLAB_UNWATCHED { call_kernel(kernel, p...); },
+            params...);
     }
     template <class... Args>
     requires(sizeof...(Args) < sizeof...(Params)) void operator()(Args... args) const {
         run_with(
-            launch, [this](Args... a) { call(a...); }, args...);
+            launch, [this](Args... a) RAYLAB_UNWATCHED { call(a...); }, args...);
     }
 };
 
@@ -130,7 +138,7 @@ template <class Call> struct CallLauncher {
     Call call;
     template <class... Args> void operator()(Args... args) const {
         run_with(
-            launch, [this](Args... a) { call(a...); }, args...);
+            launch, [this](Args... a) RAYLAB_UNWATCHED { call(a...); }, args...);
     }
 };
 
@@ -163,6 +171,7 @@ inline auto launcher(ByPointer by_pointer, ByCall by_call, KernelPlace place, di
 
 #define RAYLAB_KERNEL(...)                                                                         \
     [&](auto use) -> decltype(use(__VA_ARGS__)) { return use(__VA_ARGS__); },                      \
-        [&](auto... args) { __VA_ARGS__(args...); }, ::raylab::simt::KernelPlace {                 \
+        [&](auto... args) RAYLAB_UNWATCHED { __VA_ARGS__(args...); },                              \
+        ::raylab::simt::KernelPlace {                                                              \
 #__VA_ARGS__, __FILE__, __LINE__                                                           \
     }

@@ -7,6 +7,7 @@
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/switch.h"
+#include "common/simt/watch/events.h"
 
 #include <algorithm>
 #include <bit>
@@ -48,6 +49,7 @@ bool Block::run(const Work& work, uint3 index) {
         fault_ = Report(*this).no_stacks();
     is_running_ = false;
     current_block = outer;
+    watch::pause();
     if (crash_.signal != 0) fault_ = Report(*this).crashed(crash_);
     if (fault_.empty()) return true;
     fibers_.reclaim();
@@ -82,6 +84,8 @@ void Block::begin(const Work& work, uint3 index) {
     fault_code_ = cudaErrorLaunchFailure;
     crash_.signal = 0;
     if (!shared_.resize(work.launch.shared_bytes)) fault_ = Report(*this).no_stacks();
+    watch::begin_block(uint32_t((index.z * gridDim.y + index.y) * gridDim.x + index.x), count_,
+                       shared_.data(), work.launch.shared_bytes);
 }
 
 void Block::stack_main() {
@@ -93,6 +97,7 @@ void Block::stack_main() {
         announce_acquire(&begun_);
         if (one_stack_per_thread) announce_name(self->announced, Report(*this).running().c_str());
         work_->thread_main(work_->arguments);
+        watch::pause();
         status_[thread] = Status::ended;
         announce_release(work_->finished);
         if (!one_stack_per_thread && ready_count_ == 0 && started_ < count_) continue;
@@ -106,13 +111,14 @@ void Block::stack_main() {
 void Block::go_on(int thread) {
     running_ = thread;
     status_[thread] = Status::running;
+    watch::go_on(thread);
     threadIdx = index_[thread];
 }
 
 // The one that runs next: a thread that is ready, else the next one to start, else, when all are
 // done or no one can go on, home.
 Fiber* Block::next_fiber() {
-    if (ready_count_ == 0 && started_ == count_ && !release_converged()) {
+    if (ready_count_ == 0 && started_ == count_ && !release_converged() && !release_whole_warps()) {
         if (waiting_ > 0) fault_ = Report(*this).stuck();
         return &home_;
     }
@@ -140,6 +146,7 @@ void Block::arrive(Wait kind, const Site& site) {
     waiter.fiber = current_;
     waiter.site = &site;
     waiter.kind = kind;
+    watch::pause();
     status_[running_] = Status::waiting;
     ++waiting_;
     announce_release(work_->finished); // after a fault the thread never comes back
@@ -160,11 +167,7 @@ int Block::sync_block(const Site& site, int predicate) {
     same_site_ &= arrived_ == 0 || waiters_[arrivals_[0]].site == &site;
     votes_ += predicate;
     arrivals_[arrived_++] = uint16_t(running_);
-    if (arrived_ == count_ && same_site_) {
-        result_ = std::exchange(votes_, 0);
-        make_ready(arrivals_.data(), std::exchange(arrived_, 0));
-        block_meeting_.turn ^= 1;
-    }
+    if (arrived_ == count_ && same_site_) open_barrier();
     suspend();
     announce_acquire(meeting);
     // The next barrier cannot complete, and change it, before this thread arrives there.
@@ -181,7 +184,10 @@ uint64_t Block::warp_operation(Wait kind, const Site& site, unsigned mask, uint6
                                int source) {
     int warp = running_ / lanes, lane = running_ % lanes;
     Waiter& waiter = waiters_[running_];
-    if (!(mask >> lane & 1)) give_up(Report(*this).not_in_mask(site, mask));
+    if (!(mask >> lane & 1)) {
+        watch::pause();
+        give_up(Report(*this).not_in_mask(site, mask));
+    }
 
     unsigned members = mask & existing(warp);
     Meeting& meeting = warp_meetings_[warp * lanes + std::countr_zero(members)];
@@ -248,6 +254,7 @@ void Block::complete(int warp, unsigned members) {
         waiter.value = is_there ? brought[waiter.source] : ~uint64_t(0);
     }
     in_operation_[warp] &= ~members;
+    watch::meet(warp, members);
     make_ready(threads, count);
 }
 
@@ -283,9 +290,34 @@ unsigned Block::active_mask(const Site& site) {
     return unsigned(waiter.value);
 }
 
+// Since Volta a barrier waits only for threads that have not returned. Where whole warps have, the
+// others go on; a warp of which some lanes wait and some have returned is stopped, for it is almost
+// always a mistake.
+bool Block::release_whole_warps() {
+    if (arrived_ == 0 || arrived_ != waiting_ || !same_site_ || options_.strict_barriers)
+        return false;
+    for (int warp = 0; warp * lanes < count_; ++warp) {
+        int ended = 0;
+        for (int lane = 0; lane < lanes && warp * lanes + lane < count_; ++lane)
+            ended += status_[warp * lanes + lane] == Status::ended;
+        if (ended != 0 && ended != std::min(lanes, count_ - warp * lanes)) return false;
+    }
+    open_barrier();
+    return true;
+}
+
+// All who must come have come.
+void Block::open_barrier() {
+    result_ = std::exchange(votes_, 0);
+    watch::barrier();
+    make_ready(arrivals_.data(), std::exchange(arrived_, 0));
+    block_meeting_.turn ^= 1;
+}
+
 void Block::give_up(std::string fault, cudaError_t code) {
     fault_ = std::move(fault);
     fault_code_ = code;
+    watch::pause();
     announce_release(work_->finished);
     switch_fiber(*current_, home_, true);
     __builtin_unreachable();
@@ -324,7 +356,10 @@ std::string Block::still_running(const Fault& fault, double seconds) const {
     return Report(*this).still_running(fault, seconds);
 }
 
-void Block::trap(const Site& site) { give_up(Report(*this).trapped(site)); }
+void Block::trap(const Site& site) {
+    watch::pause();
+    give_up(Report(*this).trapped(site));
+}
 
 void Block::fail(const Site& site, const std::string& what, const std::string& to_do) {
     const Launch& launch = work_->launch;

@@ -56,6 +56,7 @@ class Block {
     void gather(const Site& site, unsigned mask, uint64_t value, uint64_t* all);
     unsigned active_mask(const Site& site);
     [[noreturn]] void trap(const Site& site);
+    [[noreturn]] void give_up(std::string fault, cudaError_t code = cudaErrorLaunchFailure);
 
     // For a handler of signals, and for assert(): the running thread does not go on.
     [[noreturn]] void crash(const Fault& fault);
@@ -113,9 +114,10 @@ class Block {
     void complete(int warp, unsigned members);
     void warn_once(int thread) const;
     bool release_converged();
+    bool release_whole_warps();
+    void open_barrier();
     void go_on(int thread);
     unsigned existing(int warp) const;
-    [[noreturn]] void give_up(std::string fault, cudaError_t code = cudaErrorLaunchFailure);
     bool is_stack_overflow(const void* address) const;
 
     Options options_;

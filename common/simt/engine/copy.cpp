@@ -3,6 +3,7 @@
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
+#include "common/simt/watch/events.h"
 
 #include <cstring>
 
@@ -48,6 +49,7 @@ cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind 
     if (!wrong.empty()) return refuse(cudaErrorInvalidValue, wrong);
     DeviceAccess access;
     std::memmove(to, from, bytes);
+    watch::wrote(to, bytes);
     return cudaSuccess;
 }
 
@@ -58,5 +60,6 @@ cudaError_t cudaMemset(void* to, int byte, size_t bytes, Where where) {
     if (!wrong.empty()) return refuse(cudaErrorInvalidValue, wrong);
     DeviceAccess access;
     std::memset(to, byte, bytes);
+    watch::wrote(to, bytes);
     return cudaSuccess;
 }

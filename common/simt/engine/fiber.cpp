@@ -2,6 +2,7 @@
 #include "common/simt/engine/fiber.h"
 
 #include "common/simt/engine/switch.h"
+#include "common/simt/watch/events.h"
 
 #include <cstdlib>
 #include <sys/mman.h>
@@ -96,6 +97,7 @@ FiberPool::~FiberPool() {
 bool FiberPool::add() {
     char* bottom = allocate_stack(stack_bytes_);
     if (!bottom) return false;
+    watch::add_stack(bottom, stack_bytes_);
     // All stacks are aligned alike, and the frames at their tops would compete for the same few
     // cache lines. So each starts a little lower than the one before it.
     size_t stagger = all_.size() % 25 * 5 * 64;

@@ -10,6 +10,7 @@
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/sanitizer_reports.h"
 #include "common/simt/engine/workers.h"
+#include "common/simt/watch/events.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -65,9 +66,10 @@ Machine& machine() {
     return machine;
 }
 
-void note(cudaError_t code, const std::string& report) {
+void note(cudaError_t code, const std::string& report, Told told = Told::no) {
     machine().last_error = code;
     machine().report = report;
+    if (told == Told::yes) return;
     record(finding_of_report(report));
     if (machine().options.print_reports) std::fputs((report + "\n").c_str(), stderr);
 }
@@ -124,10 +126,10 @@ cudaError_t refuse(cudaError_t code, const std::string& report) {
     return code;
 }
 
-void remember_fault(cudaError_t code, const std::string& report) {
+void remember_fault(cudaError_t code, const std::string& report, Told told) {
     std::lock_guard lock(machine().state);
     machine().sticky = code;
-    note(code, report);
+    note(code, report, told);
 }
 
 void warn(const std::string& report) {
@@ -235,6 +237,7 @@ bool check_argument(const Launch& launch, int index, const void* pointer) {
 void run(const Launch& launch, void (*thread_main)(const void*), const void* arguments) {
     if (sticky_error() != cudaSuccess) return;
     if (current_block) {
+        watch::Pause paused;
         refuse(cudaErrorNotSupported, place(launch.file, launch.line) + ": error: " +
                                           current_block->running() + " launches " + launch.kernel +
                                           "\n  expected: kernels are launched by host code");
@@ -250,18 +253,22 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
     auto finished = std::make_unique<char>();
     Work work{launch, thread_main, arguments, finished.get()};
     DeviceAccess access;
-    LaunchWatch watch;
+    LaunchWatch launch_watch;
     Workers::KernelFault fault;
     if (launch.cooperative) {
         fault = run_cooperative(work, machine().options);
     } else {
         if (!machine().workers)
             machine().workers = std::make_unique<Workers>(machine().options, worker_count());
+        watch::begin_launch(launch, machine().options.print_reports);
         fault = machine().workers->run(work);
+        watch::end_launch();
     }
     announce_acquire(finished.get());
     record_races();
-    if (fault.code != cudaSuccess) remember_fault(fault.code, fault.report);
+    if (fault.code != cudaSuccess)
+        remember_fault(fault.code, fault.report,
+                       watch::has_told(fault.report) ? Told::yes : Told::no);
 }
 
 } // namespace raylab::simt

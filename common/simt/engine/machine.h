@@ -13,7 +13,9 @@ namespace raylab::simt {
 cudaError_t refuse(cudaError_t code, const std::string& report);
 
 // Remembers a fault inside a kernel, which stays until cudaDeviceReset().
-void remember_fault(cudaError_t code, const std::string& report);
+// `told`: the report has been written and recorded already.
+enum class Told { no, yes };
+void remember_fault(cudaError_t code, const std::string& report, Told told = Told::no);
 
 // Reports what is wrong in a kernel that goes on nevertheless.
 void warn(const std::string& report);

@@ -6,6 +6,7 @@
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/report.h"
+#include "common/simt/watch/events.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -60,13 +61,31 @@ Finding leak(const Allocation& allocation) {
     return finding;
 }
 
+// The watch gives memory that is never handed out twice.
+void* take_memory(size_t bytes, [[maybe_unused]] const Where& where) {
+#if defined(RAYLAB_CHECK_WATCH)
+    return watch::Watcher::get().allocate(bytes, alignment, where);
+#else
+    return ::operator new(bytes + gap, std::align_val_t(alignment), std::nothrow);
+#endif
+}
+void give_back(void* pointer, [[maybe_unused]] size_t bytes) {
+#if defined(RAYLAB_CHECK_WATCH)
+    watch::Watcher::get().release(pointer, bytes);
+#else
+    ::operator delete(pointer, std::align_val_t(alignment));
+#endif
+}
+
 class Memory {
   public:
     void* allocate(size_t bytes, MemoryKind kind, const Where& where) {
         if (bytes > physical_bytes()) return nullptr; // a sanitizer's heap would end the program
-        void* pointer = ::operator new(bytes + gap, std::align_val_t(alignment), std::nothrow);
+        void* pointer = take_memory(bytes, where);
         if (!pointer) return nullptr;
         if (check_build) std::memset(pointer, 0xff, bytes); // uninitialised floats are NaNs
+        // What host code writes there is not seen where a library does it.
+        if (kind != MemoryKind::device) watch::wrote(pointer, bytes);
         add(pointer, {bytes, kind, where});
         return pointer;
     }
@@ -78,8 +97,8 @@ class Memory {
         allow(pointer, found->second.bytes);
         if (freed_.size() >= most_freed) freed_.clear();
         freed_.insert_or_assign(uintptr_t(pointer), Freed{found->second, where});
+        give_back(pointer, found->second.bytes);
         allocations_.erase(found);
-        ::operator delete(pointer, std::align_val_t(alignment));
         return true;
     }
 
@@ -156,7 +175,7 @@ class Memory {
             if (allocation.kind == MemoryKind::symbol) continue;
             auto pointer = reinterpret_cast<void*>(start);
             allow(pointer, allocation.bytes);
-            ::operator delete(pointer, std::align_val_t(alignment));
+            give_back(pointer, allocation.bytes);
         }
         allocations_.clear();
     }

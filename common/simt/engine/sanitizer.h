@@ -52,7 +52,7 @@ inline void allow(const void*, size_t) {}
 #endif
 
 // Whether this is a build for finding bugs, in which fresh memory is filled with nonsense.
-#if defined(RAYLAB_CHECK_ADDRESS) || defined(RAYLAB_CHECK_THREAD)
+#if defined(RAYLAB_CHECK_ADDRESS) || defined(RAYLAB_CHECK_THREAD) || defined(RAYLAB_CHECK_WATCH)
 inline constexpr bool check_build = true;
 #else
 inline constexpr bool check_build = false;

@@ -129,7 +129,14 @@ std::optional<SourcePlace> source_place(const void* pc) {
     if (!unit) return {};
     SourcePlace place = line_at(unit, address - bias);
     Dwarf_Die* scopes = nullptr;
-    const int count = is_users(place.file) ? 0 : dwarf_getscopes(unit, address - bias, &scopes);
+    int count = is_users(place.file) ? 0 : dwarf_getscopes(unit, address - bias, &scopes);
+    if (count > 0) {
+        // Those are the scopes in which the innermost function is written; these, where it was inlined.
+        Dwarf_Die innermost = scopes[0];
+        std::free(scopes);
+        scopes = nullptr;
+        count = dwarf_getscopes_die(&innermost, &scopes);
+    }
     for (int i = 0; i < count && !is_users(place.file); ++i)
         if (dwarf_tag(&scopes[i]) == DW_TAG_inlined_subroutine) place = call_of(unit, &scopes[i]);
     std::free(scopes);

@@ -1,0 +1,88 @@
+#include "common/simt/watch/race_book.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace raylab::simt::watch {
+
+namespace {
+
+uint64_t load(uintptr_t address, unsigned bytes) {
+    uint64_t value = 0;
+    std::memcpy(&value, reinterpret_cast<const void*>(address), bytes < 8 ? bytes : 8);
+    return value;
+}
+
+} // namespace
+
+uint32_t RaceBook::site(Pc pc) {
+    Recent& recent = recent_[uintptr_t(pc) % recent_.size()];
+    if (recent.pc == pc) return recent.site;
+    const auto found = sites_.find(pc);
+    const uint32_t site = found != sites_.end() ? found->second : uint32_t(pcs_.size() + 1);
+    if (found == sites_.end()) {
+        sites_.emplace(pc, site);
+        pcs_.push_back(pc);
+    }
+    recent = {pc, site};
+    return site;
+}
+
+void RaceBook::stored(Race& race, uint64_t value) {
+    race.one_value = race.one_value && (!race.has_value || race.value == value);
+    race.has_value = true;
+    race.value = value;
+}
+
+void RaceBook::note(const Race& race, uintptr_t address, unsigned bytes) {
+    const auto key = std::minmax(race.before.site, race.after.site);
+    const auto [found, is_new] = races_.emplace(key, race);
+    Race& known = found->second;
+    if (is_new) order_.push_back(key);
+    ++known.count;
+    if (race.before_wrote) stored(known, load(address, bytes));
+    if (race.after_wrote) {
+        pending_ = &known;
+        pending_address_ = address;
+        pending_bytes_ = bytes;
+    }
+}
+
+void RaceBook::settle_pending() {
+    stored(*pending_, load(pending_address_, pending_bytes_));
+    pending_ = nullptr;
+}
+
+const char* RaceBook::why_harmless(const Race& race) const {
+    const auto is = [&](Touch touch) {
+        return race.before.touch == touch || race.after.touch == touch;
+    };
+    const uint32_t reader = race.before_wrote ? race.after.site : race.before.site;
+    if (is(Touch::atomic) && is(Touch::plain) && !(race.before_wrote && race.after_wrote) &&
+        checked_.contains(reader))
+        return "the value read is checked again by atomicCAS()";
+    if (race.memory == Memory::shared && !(race.before_wrote && race.after_wrote)) return nullptr;
+    if (race.before.touch == Touch::volatile_ && race.after.touch == Touch::volatile_ &&
+        race.memory != Memory::shared)
+        return "both accesses are volatile";
+    // Zeros may be what all data of a test are.
+    if (race.one_value && race.value != 0 && !is(Touch::atomic))
+        return "every store from there stores the same value";
+    return nullptr;
+}
+
+bool RaceBook::has_error_at(uint32_t site) const {
+    return std::any_of(races_.begin(), races_.end(), [&](const auto& entry) {
+        const auto& [key, race] = entry;
+        return (key.first == site || key.second == site) && !why_harmless(race);
+    });
+}
+
+void RaceBook::clear() {
+    races_.clear();
+    order_.clear();
+    checked_.clear();
+    pending_ = nullptr;
+}
+
+} // namespace raylab::simt::watch

@@ -1,0 +1,274 @@
+#include "common/simt/watch/watcher.h"
+
+#include "common/simt/engine/block.h"
+#include "common/simt/watch/say.h"
+#include "common/simt/watch/say_text.h"
+
+#include <algorithm>
+#include <link.h>
+#include <sys/mman.h>
+
+namespace raylab::simt::watch {
+
+namespace {
+
+constexpr size_t arena_bytes = size_t(64) << 30, most_shared = 99 << 10, red_zone = 4096;
+
+// Between two allocations, so that an index that is far out does not meet the next one.
+constexpr size_t least_gap = size_t(64) << 10, most_gap = size_t(64) << 20;
+
+extern "C" char __data_start, _end; // the linker's: of the variables of the program
+
+uintptr_t round_down(uintptr_t address) { return address & ~uintptr_t(15); }
+
+// The calling worker's copy of the program's thread-local variables: static __shared__ variables
+// and a few of the engine.
+std::optional<Range> thread_local_range() {
+    struct Found {
+        uintptr_t begin = 0;
+        size_t bytes = 0;
+    } found;
+    dl_iterate_phdr(
+        [](dl_phdr_info* info, size_t, void* result) {
+            for (int i = 0; i < info->dlpi_phnum; ++i)
+                if (info->dlpi_phdr[i].p_type == PT_TLS)
+                    *static_cast<Found*>(result) = {uintptr_t(info->dlpi_tls_data),
+                                                    info->dlpi_phdr[i].p_memsz};
+            return 1; // the program comes first; libraries do not matter
+        },
+        &found);
+    if (!found.begin || !found.bytes) return {};
+    const uintptr_t begin = round_down(found.begin);
+    return std::make_optional<Range>(begin, found.begin + found.bytes - begin, Memory::shared);
+}
+
+} // namespace
+
+Watcher& Watcher::get() {
+    static Watcher* watcher = new Watcher; // host code may still run when statics are destroyed
+    return *watcher;
+}
+
+Watcher::Watcher()
+    : used_(least_gap), arena_(uintptr_t(map_memory(arena_bytes)), arena_bytes, Memory::global),
+      symbols_(round_down(uintptr_t(&__data_start)), size_t(&_end - &__data_start) + 16,
+               Memory::symbol) {
+    symbols_.allowed.set(0, symbols_.bytes, true);
+    symbols_.written.set(0, symbols_.bytes, true);
+}
+
+void* Watcher::allocate(size_t bytes, size_t alignment, const Where& where) {
+    used_ = (used_ + alignment - 1) / alignment * alignment;
+    const size_t gap = std::clamp(bytes, least_gap, most_gap);
+    if (bytes > arena_bytes - most_gap || used_ + bytes + gap > arena_bytes) return nullptr;
+    void* pointer = reinterpret_cast<void*>(arena_.begin + used_);
+    arena_.allowed.set(used_, bytes, true);
+    allocations_[uintptr_t(pointer)] = {uintptr_t(pointer), bytes, where};
+    used_ += bytes + gap;
+    return pointer;
+}
+
+void Watcher::release(void* pointer, size_t bytes) {
+    const size_t offset = uintptr_t(pointer) - arena_.begin;
+    arena_.allowed.set(offset, bytes, false);
+    allocations_[uintptr_t(pointer)].is_freed = true;
+    const size_t page = 4096, first = (offset + page - 1) / page * page,
+                 end = (offset + bytes) / page * page;
+    if (end > first)
+        madvise(reinterpret_cast<void*>(arena_.begin + first), end - first, MADV_DONTNEED);
+}
+
+const Allocation* Watcher::nearest(uintptr_t address) const {
+    const auto next = allocations_.upper_bound(address);
+    const auto before = next == allocations_.begin() ? next : std::prev(next);
+    if (before == allocations_.end()) return nullptr;
+    if (before == next || next == allocations_.end()) return &before->second;
+    const uintptr_t end = before->first + before->second.bytes;
+    return address < end || address - end <= next->first - address ? &before->second
+                                                                   : &next->second;
+}
+
+void Watcher::wrote(const void* pointer, size_t bytes) {
+    if (Range* range = range_of(uintptr_t(pointer)))
+        range->written.set(uintptr_t(pointer) - range->begin, bytes, true);
+}
+
+void Watcher::add_stack(const void* bottom, size_t bytes) { stacks_[uintptr_t(bottom)] = bytes; }
+
+void Watcher::begin_launch(const Launch& launch, bool prints) {
+    prints_ = prints;
+    out_of_bounds_ = 0;
+    launch_ = &launch;
+    if (++launch_number_ == 0) ++launch_number_; // 0: never
+    clock_.begin_launch();
+    if (!statics_) {
+        statics_ = thread_local_range();
+        if (statics_) statics_->allowed.set(0, statics_->bytes, true);
+        for (const auto& [variable, bytes] : engine_variables())
+            if (statics_)
+                statics_->allowed.set(uintptr_t(variable) - statics_->begin, bytes, false);
+    }
+}
+
+void Watcher::end_launch() {
+    races_.settle();
+    for (const auto& key : races_.in_order()) {
+        const Race& race = races_.races().at(key);
+        say_race(race, races_, clock_, *launch_);
+    }
+    for (const auto& [site, finding] : uninitialised_)
+        if (!races_.has_error_at(site))
+            emit(finding); // else it came too early, which the race says
+    uninitialised_.clear();
+    races_.clear();
+    launch_ = nullptr;
+    thread_ = -1;
+}
+
+void Watcher::begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes) {
+    if (!launch_) return;
+    races_.settle();
+    clock_.begin_block(block, threads);
+    if (statics_) statics_->written.set(0, statics_->bytes, false);
+    dynamic_ = nullptr;
+    if (!bytes) return;
+    const uintptr_t begin = uintptr_t(dynamic_shared);
+    dynamic_ =
+        &dynamics_.try_emplace(begin, begin, most_shared + red_zone, Memory::shared).first->second;
+    dynamic_->allowed.set(0, dynamic_->bytes, false);
+    dynamic_->allowed.set(0, bytes, true);
+    dynamic_->written.set(0, bytes, false);
+}
+
+void Watcher::stop_after(const Finding& finding) {
+    stopped_by_ = to_text(finding);
+    is_busy_ = false;
+    current_block->give_up(stopped_by_, cudaErrorIllegalAddress);
+}
+
+void Watcher::fence() {
+    if (thread_ >= 0) clock_.fence(thread_);
+}
+
+Range* Watcher::range_of(uintptr_t address) {
+    if (arena_.has(address)) return &arena_;
+    if (statics_ && statics_->has(address)) return &*statics_;
+    if (dynamic_ && dynamic_->has(address)) return dynamic_;
+    if (symbols_.has(address)) return &symbols_;
+    return nullptr;
+}
+
+// Of any thread. Remembers which: the next access of a variable is likely on the same one.
+bool Watcher::is_on_a_stack(uintptr_t address) {
+    const auto next = stacks_.upper_bound(address);
+    if (next == stacks_.begin() || address - std::prev(next)->first >= std::prev(next)->second)
+        return false;
+    stack_ = *std::prev(next);
+    return true;
+}
+
+void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
+    if (address - stack_.first < stack_.second) return; // the kernel's own variables
+    if (thread_ < 0) {
+        if (!current_block && arena_.has(address)) say_host_access(address, writes, pc);
+        return;
+    }
+    Range* found = range_of(address);
+    if (!found) {
+        if (!is_on_a_stack(address)) say_strange_address(address, writes, pc);
+        return;
+    }
+    Range& range = *found;
+    const uintptr_t offset = address - range.begin, end = offset + bytes;
+    const bool is_static = statics_ && found == &*statics_;
+    if (is_static && !range.allowed.of_word(offset / 4))
+        return; // the engine's: threadIdx and its kin
+    races_.settle();
+    const Access me{clock_.task(thread_), clock_.now(thread_), races_.site(pc), launch_number_,
+                    touch};
+    bool all_unwritten = true;
+    for (uintptr_t word = offset / 4; word * 4 < end; ++word) {
+        unsigned mask = 15;
+        if (word * 4 < offset) mask &= 15u << (offset - word * 4);
+        if (end < word * 4 + 4) mask &= (1u << (end - word * 4)) - 1;
+        if (mask & ~range.allowed.of_word(word)) {
+            return say_out_of_bounds(address, bytes, writes, pc, range.memory);
+        }
+        if (mask & range.written.of_word(word)) all_unwritten = false;
+        if (writes) range.written.add(word, mask);
+        Word& whole = range.words[word];
+        if (mask == 15 && !whole.is_split) {
+            check(range, whole, me, writes, range.begin + word * 4, 4);
+        } else {
+            for (int byte = 0; byte < 4; ++byte)
+                if (mask >> byte & 1)
+                    check(range, range.byte_at(word, byte), me, writes,
+                          range.begin + word * 4 + uintptr_t(byte), 1);
+        }
+    }
+    if (touch != Touch::plain) {
+        if (!writes || touch == Touch::atomic) clock_.pick_up(thread_, address);
+        if (writes) clock_.publish(thread_, address);
+    }
+    if (all_unwritten && (!writes || touch == Touch::atomic)) {
+        if (!uninitialised_.contains(me.site))
+            uninitialised_.emplace(me.site, uninitialised(address, pc, range.memory));
+        range.written.set(offset, bytes, true); // said once
+    }
+}
+
+// What lies in shared memory is gone when its block ends, the rest counts until the launch ends.
+bool Watcher::is_current(const Range& range, const Access& access) const {
+    return access.site && access.launch == launch_number_ &&
+           (range.memory != Memory::shared || clock_.block_of(access.task) == clock_.block());
+}
+
+void Watcher::check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
+                    unsigned bytes) {
+    const auto races_with = [&](const Access& before) {
+        return is_current(range, before) && before.task != me.task &&
+               !(before.touch == Touch::atomic && me.touch == Touch::atomic) &&
+               !clock_.knows(thread_, before.task, before.time);
+    };
+    if (races_with(word.writer)) conflict(range, word.writer, true, me, writes, address, bytes);
+    if (!writes) {
+        insert_reader(word, me);
+        return;
+    }
+    for (Access& reader : word.readers) {
+        if (is_current(range, reader) && reader.task == me.task && me.touch == Touch::atomic)
+            races_.checked_by_cas(reader.site);
+        if (races_with(reader)) conflict(range, reader, false, me, writes, address, bytes);
+        reader = {};
+    }
+    word.writer = me;
+}
+
+void Watcher::insert_reader(Word& word, const Access& me) {
+    Access &first = word.readers[0], &second = word.readers[1];
+    const auto replaceable = [&](const Access& old) {
+        return !old.site || old.launch != launch_number_ || old.task == me.task ||
+               (clock_.block_of(old.task) == clock_.block() &&
+                clock_.knows(thread_, old.task, old.time));
+    };
+    const auto is_far = [&](const Access& a, const Access& b) {
+        return clock_.block_of(a.task) != clock_.block_of(b.task) || a.task / 32 != b.task / 32;
+    };
+    if (replaceable(first))
+        first = me;
+    else if (replaceable(second) || (!is_far(first, second) && is_far(first, me)))
+        second = me;
+}
+
+void Watcher::conflict(const Range& range, const Access& before, bool before_wrote,
+                       const Access& me, bool writes, uintptr_t address, unsigned bytes) {
+    Race race;
+    race.before = before;
+    race.after = me;
+    race.before_wrote = before_wrote;
+    race.after_wrote = writes;
+    race.memory = range.memory;
+    races_.note(race, address, bytes);
+}
+
+} // namespace raylab::simt::watch

@@ -1,0 +1,114 @@
+// The watch: every load and store of a kernel, looked at as it happens.
+//
+// The compiler puts a call before each access, as for ThreadSanitizer, and a check before each
+// index and division, as for UndefinedBehaviorSanitizer; the functions that it calls are raylab's
+// own (hooks.cpp). So one run finds accesses out of bounds, of freed and of host memory, reads of
+// what nobody wrote, and races: two accesses of one place, one of them a write, that no barrier,
+// fence or atomic orders. The engine tells what happens between the threads. One worker runs all
+// blocks, so nothing here needs a lock.
+#pragma once
+
+#include "common/simt/finding.h"
+#include "common/simt/launch.h"
+#include "common/simt/watch/block_clock.h"
+#include "common/simt/watch/race_book.h"
+#include "common/simt/watch/shadow.h"
+#include "common/simt/where.h"
+
+#include <map>
+#include <optional>
+
+namespace raylab::simt::watch {
+
+// What allocate() gave.
+struct Allocation {
+    uintptr_t begin;
+    size_t bytes;
+    Where where;
+    bool is_freed = false;
+};
+
+class Watcher {
+  public:
+    static Watcher& get();
+
+    // What the engine tells.
+    void begin_launch(const Launch& launch, bool prints); // findings, to stderr
+    void end_launch();
+    void begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes);
+    void go_on(int thread) {
+        thread_ = launch_ ? thread : -1;
+    }                              // a cooperative launch is not watched
+    void pause() { thread_ = -1; } // until go_on(): the engine or host code runs
+    void barrier() {
+        if (launch_) clock_.barrier();
+    }
+    void meet(int warp, unsigned members) {
+        if (launch_) clock_.meet(warp, members);
+    }
+    void fence();
+
+    // Device memory comes from here: what is beside it and what was freed is never handed out
+    // again.
+    void* allocate(size_t bytes, size_t alignment, const Where& where); // null: no room
+    void release(void* pointer, size_t bytes);
+    void wrote(const void* pointer, size_t bytes); // by a copy of the runtime
+    void add_stack(const void* bottom, size_t bytes);
+
+    // What the compiler's calls tell. `pc`: behind the access, in the student's code.
+    void access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
+        if (is_busy_) return;
+        is_busy_ = true;
+        look(address, bytes, writes, touch, pc);
+        is_busy_ = false;
+    }
+    // Ends the launch, with cudaErrorIllegalAddress; does not come back.
+    [[noreturn]] void stop_after(const Finding& finding);
+    bool has_told(const std::string& report) const { return report == stopped_by_; }
+    int count_out_of_bounds() { return ++out_of_bounds_; }
+
+    bool in_kernel() const { return thread_ >= 0; }
+    int thread() const { return thread_; } // that runs, by number
+    bool prints() const { return prints_; }
+    const Launch& launch() const { return *launch_; }
+
+    // The allocation, freed ones included, in which the address lies or to which it is next.
+    const Allocation* nearest(uintptr_t address) const;
+
+  private:
+    Watcher();
+    void look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
+    Range* range_of(uintptr_t address);
+    bool is_on_a_stack(uintptr_t address);
+    void check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
+               unsigned bytes);
+    bool is_current(const Range& range, const Access& access) const;
+    void insert_reader(Word& word, const Access& me);
+    void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
+                  bool writes, uintptr_t address, unsigned bytes);
+
+    BlockClock clock_;
+    RaceBook races_;
+    const Launch* launch_ = nullptr;
+    uint16_t launch_number_ = 0;
+    int thread_ = -1;
+    bool prints_ = true;
+    // Functions of the library that both the watch and the kernel use may be the kernel's, calls
+    // and all.
+    bool is_busy_ = false;
+    std::string stopped_by_ = "nothing";        // the text of the finding
+    int out_of_bounds_ = 0;                     // in this launch
+    std::map<uint32_t, Finding> uninitialised_; // by site
+
+    size_t used_;                  // of the arena
+    Range arena_;                  // what allocate() gives
+    Range symbols_;                // variables of the program
+    std::optional<Range> statics_; // static __shared__ variables of the worker
+    std::map<uintptr_t, Allocation> allocations_;
+    std::map<uintptr_t, Range> dynamics_;  // dynamic shared memory, by its first address
+    Range* dynamic_ = nullptr;             // the block's
+    std::map<uintptr_t, size_t> stacks_;   // of CUDA threads: lowest address, bytes
+    std::pair<uintptr_t, size_t> stack_{}; // one of them
+};
+
+} // namespace raylab::simt::watch
