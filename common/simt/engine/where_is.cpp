@@ -131,7 +131,8 @@ std::optional<SourcePlace> source_place(const void* pc) {
     Dwarf_Die* scopes = nullptr;
     int count = is_users(place.file) ? 0 : dwarf_getscopes(unit, address - bias, &scopes);
     if (count > 0) {
-        // Those are the scopes in which the innermost function is written; these, where it was inlined.
+        // Those are the scopes in which the innermost function is written; these, where it was
+        // inlined.
         Dwarf_Die innermost = scopes[0];
         std::free(scopes);
         scopes = nullptr;
