@@ -4,6 +4,8 @@
 #include "common/simt/api/device.h"
 #include "common/simt/launch.h"
 
+#include <string>
+
 struct cudaFuncAttributes {
     size_t sharedSizeBytes, constSizeBytes, localSizeBytes;
     int maxThreadsPerBlock, numRegs, ptxVersion, binaryVersion, cacheModeCA,
@@ -23,13 +25,20 @@ template <class T> struct DynamicShared {
     }
 };
 
+// The text of a call's arguments, by which reports name the kernel.
+struct CallText {
+    const char* text;
+};
+std::string first_argument(CallText call);
+
 // CUDA takes the address of the kernel and of each argument, without their types. The rewriter
 // strips the cast that most programs write in front of the kernel, and so it is known here.
 template <class... Params>
-inline cudaError_t launch_by_address(void (*kernel)(Params...), dim3 grid, dim3 block,
-                                     void** arguments, size_t shared_bytes, bool cooperative,
-                                     Where where) {
-    Launch launch{"by address", where.file, where.line,   reinterpret_cast<const void*>(kernel),
+inline cudaError_t launch_by_address(CallText text, void (*kernel)(Params...), dim3 grid,
+                                     dim3 block, void** arguments, size_t shared_bytes,
+                                     bool cooperative, Where where) {
+    std::string name = first_argument(text);
+    Launch launch{name.c_str(), where.file, where.line,   reinterpret_cast<const void*>(kernel),
                   grid,         block,      shared_bytes, cooperative};
     [&]<size_t... I>(std::index_sequence<I...>) {
         run_with(
@@ -84,29 +93,35 @@ inline cudaError_t cudaOccupancyAvailableDynamicSMemPerBlock(size_t* bytes, Kern
 }
 
 template <class... Params>
-inline cudaError_t cudaLaunchKernel(void (*kernel)(Params...), dim3 grid, dim3 block,
-                                    void** arguments, size_t shared_bytes = 0,
-                                    cudaStream_t = nullptr,
+inline cudaError_t cudaLaunchKernel(raylab::simt::CallText text, void (*kernel)(Params...),
+                                    dim3 grid, dim3 block, void** arguments,
+                                    size_t shared_bytes = 0, cudaStream_t = nullptr,
                                     raylab::simt::Where where = raylab::simt::Where::here()) {
-    return raylab::simt::launch_by_address(kernel, grid, block, arguments, shared_bytes, false,
-                                           where);
+    return raylab::simt::launch_by_address(text, kernel, grid, block, arguments, shared_bytes,
+                                           false, where);
 }
 // All blocks of the grid run at the same time, and may wait for each other: grid_group::sync().
 template <class... Params>
 inline cudaError_t
-cudaLaunchCooperativeKernel(void (*kernel)(Params...), dim3 grid, dim3 block, void** arguments,
-                            size_t shared_bytes = 0, cudaStream_t = nullptr,
+cudaLaunchCooperativeKernel(raylab::simt::CallText text, void (*kernel)(Params...), dim3 grid,
+                            dim3 block, void** arguments, size_t shared_bytes = 0,
+                            cudaStream_t = nullptr,
                             raylab::simt::Where where = raylab::simt::Where::here()) {
-    return raylab::simt::launch_by_address(kernel, grid, block, arguments, shared_bytes, true,
+    return raylab::simt::launch_by_address(text, kernel, grid, block, arguments, shared_bytes, true,
                                            where);
 }
-inline cudaError_t cudaLaunchKernel(const void*, dim3, dim3, void**, size_t = 0,
-                                    cudaStream_t = nullptr,
+inline cudaError_t cudaLaunchKernel(raylab::simt::CallText, const void*, dim3, dim3, void**,
+                                    size_t = 0, cudaStream_t = nullptr,
                                     raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::kernel_without_type("cudaLaunchKernel()", where);
 }
 inline cudaError_t
-cudaLaunchCooperativeKernel(const void*, dim3, dim3, void**, size_t = 0, cudaStream_t = nullptr,
+cudaLaunchCooperativeKernel(raylab::simt::CallText, const void*, dim3, dim3, void**, size_t = 0,
+                            cudaStream_t = nullptr,
                             raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::kernel_without_type("cudaLaunchCooperativeKernel()", where);
 }
+
+#define cudaLaunchKernel(...) cudaLaunchKernel(raylab::simt::CallText{#__VA_ARGS__}, __VA_ARGS__)
+#define cudaLaunchCooperativeKernel(...)                                                           \
+    cudaLaunchCooperativeKernel(raylab::simt::CallText{#__VA_ARGS__}, __VA_ARGS__)

@@ -158,6 +158,17 @@ cudaError_t get_attributes(cudaFuncAttributes* attributes, const void* kernel) {
     return sticky_error();
 }
 
+std::string first_argument(CallText call) {
+    std::string_view text = call.text;
+    int depth = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (std::string_view("(<[{").find(text[i]) != text.npos) ++depth;
+        if (std::string_view(")>]}").find(text[i]) != text.npos) --depth;
+        if (text[i] == ',' && depth == 0) return std::string(text.substr(0, i));
+    }
+    return std::string(text);
+}
+
 cudaError_t kernel_without_type(const char* call, Where where) {
     return refuse(
         cudaErrorInvalidDeviceFunction,

@@ -1,9 +1,12 @@
 // The rewriter: what it turns into what, and that it leaves all else alone, to the character.
 #include "common/simt/rewrite/rewrite.h"
+#include "common/simt/rewrite/tree.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 namespace raylab::simt {
 namespace {
@@ -176,6 +179,60 @@ TEST(RewriteForeign, RefusesInOneSentenceWithTheLine) {
         "f.cu:2: error: inline PTX r");
     EXPECT_EQ(foreign_error("__global__ void k() {\n if (x)\nk<<<1, 1>>>(); }").substr(0, 34),
               "f.cu:3: error: a kernel launches a");
+}
+
+TEST(RewriteTree, CopiesIncludeCopiesAndNameTheOriginals) {
+    namespace fs = std::filesystem;
+    fs::path home = fs::path(testing::TempDir()) / "raylab_tree", out = home / "out";
+    fs::remove_all(home);
+    auto write = [&](const fs::path& name, const std::string& text) {
+        fs::create_directories((home / name).parent_path());
+        std::ofstream(home / name) << text;
+    };
+    auto read = [](const fs::path& file) {
+        std::ifstream in(file);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    write("program/main.cu",
+          "#include \"sub/a.cuh\"\n#include \"../common/b.h\"\n#include <c.h>\n");
+    write("program/sub/a.cuh", "#pragma once\n#include \"../main.h\"\n#include \"absent.h\"\n");
+    write("program/main.h", "#include \"sub/a.cuh\"\nk << <1, 1 >> >();\n");
+    write("common/b.h", "extern __shared__ int n[];\n");
+    write("elsewhere/c.h", "int c;\n");
+
+    fs::path source = home / "program/main.cu";
+    fs::path copy = rewrite_tree(source, out, {home / "elsewhere"});
+    EXPECT_EQ(read(copy), "#include <cuda_runtime.h>\n#line 1 \"" + source.string() +
+                              "\"\n#include \"" + (out / "sub/a.cuh").string() + "\"\n#include \"" +
+                              (out / "up/common/b.h").string() + "\"\n#include \"" +
+                              (out / "up/elsewhere/c.h").string() + "\"\n");
+    EXPECT_EQ(read(out / "sub/a.cuh"), "#line 1 \"" + (home / "program/sub/a.cuh").string() +
+                                           "\"\n#pragma once\n#include \"" +
+                                           (out / "main.h").string() +
+                                           "\"\n#include \"absent.h\"\n");
+    EXPECT_NE(read(out / "main.h").find("launcher("), std::string::npos);
+    EXPECT_NE(read(out / "up/common/b.h").find("DynamicShared<int> n"), std::string::npos);
+
+    write("program/main.h", "\n#include <cufft.h>\n");
+    try {
+        rewrite_tree(source, out, {});
+        ADD_FAILURE() << "cuFFT was not refused";
+    } catch (const RewriteError& error) {
+        EXPECT_EQ(std::string(error.what())
+                      .find((home / "program/main.h").string() +
+                            ":2: error: cuFFT (cufft.h) is not on the CPU"),
+                  0u)
+            << error.what();
+    }
+    EXPECT_THROW(rewrite_tree(home / "none.cu", out, {}), std::runtime_error);
+    fs::remove_all(home);
+}
+
+TEST(RewriteForeign, TextureReferencesGetTheirType) {
+    EXPECT_EQ(foreign("texture<float, 2> t;"), "::raylab::simt::TextureReference<float, 2> t;");
+    for (std::string source : {"template <class T> class texture {}; texture<int> t;",
+                               "cudaTextureObject_t texture; f(texture);"})
+        EXPECT_EQ(foreign(source), source);
 }
 
 TEST(RewriteForeign, LeavesToTheCompilerWhatItMaySkip) {

@@ -231,6 +231,7 @@ TEST(Groups, AGridThatCannotWaitIsAFault) {
     if (properties.cooperativeLaunch) {
         EXPECT_NE(cudaLaunchCooperativeKernel(one_block_leaves, 3, 32, nullptr), cudaSuccess);
         EXPECT_NE(last_report().find("a block has returned"), std::string::npos);
+        EXPECT_NE(last_report().find("kernel one_block_leaves"), std::string::npos);
         cudaDeviceReset();
     }
     EXPECT_EQ(cudaLaunchCooperativeKernel(one_block_leaves, 100000, 32, nullptr),

@@ -4,6 +4,8 @@
 #include <cfenv>
 #include <cfloat>
 #include <climits>
+#include <complex>
+#include <cuComplex.h>
 #include <math_constants.h>
 
 using namespace raylab::simt;
@@ -146,4 +148,20 @@ TEST(ForeignNumbers, FunctionsThatTheStandardLacks) {
     EXPECT_EQ(__saturatef(CUDART_INF_F), 1.0f);
     EXPECT_EQ(__fdividef(1, 4), 0.25f);
     EXPECT_EQ(CUDART_PI_F, float(M_PI));
+}
+
+TEST(ForeignNumbers, ComplexNumbersAreThoseOfTheStandard) {
+    for (int i = 0; i < 100; ++i) {
+        auto part = [] { return double(int(next_random())); };
+        std::complex<double> a{part(), part()}, b{part(), part()};
+        auto x = make_cuDoubleComplex(a.real(), a.imag()),
+             y = make_cuDoubleComplex(b.real(), b.imag());
+        auto quotient = cuCdiv(x, y), product = cuCmul(x, y);
+        EXPECT_NEAR(std::abs(std::complex(quotient.x, quotient.y) - a / b), 0, 1e-13 * abs(a / b));
+        EXPECT_NEAR(std::abs(std::complex(product.x, product.y) - a * b), 0, 1e-13 * abs(a * b));
+        EXPECT_NEAR(cuCabs(x), std::abs(a), 1e-13 * std::abs(a));
+    }
+    EXPECT_EQ(cuCimagf(cuConjf(make_cuComplex(1, 2))), -2);
+    // The square of b would overflow.
+    EXPECT_EQ(cuCrealf(cuCdivf(make_cuComplex(1e30f, 0), make_cuComplex(1e30f, 0))), 1);
 }
