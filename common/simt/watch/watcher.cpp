@@ -5,6 +5,8 @@
 #include "common/simt/watch/say_text.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <link.h>
 #include <sys/mman.h>
 
@@ -53,6 +55,8 @@ Watcher::Watcher()
     : used_(least_gap), arena_(uintptr_t(map_memory(arena_bytes)), arena_bytes, Memory::global),
       symbols_(round_down(uintptr_t(&__data_start)), size_t(&_end - &__data_start) + 16,
                Memory::symbol) {
+    const char* count = std::getenv("RAYLAB_COUNT");
+    counts_traffic_ = count && std::strcmp(count, "memory") == 0;
     symbols_.allowed.set(0, symbols_.bytes, true);
     symbols_.written.set(0, symbols_.bytes, true);
 }
@@ -110,8 +114,19 @@ void Watcher::begin_launch(const Launch& launch, bool prints) {
     }
 }
 
+// For each kernel, over all of its launches.
+void Watcher::note_traffic() {
+    traffic_.end_block();
+    std::map<SourcePlace, Traffic> lines;
+    for (const auto& [site, traffic] : traffic_.by_site())
+        lines[place_of(races_.pc(site))] = traffic;
+    if (!lines.empty()) add_traffic(launch_->kernel, lines);
+    traffic_.clear();
+}
+
 void Watcher::end_launch() {
     races_.settle();
+    if (counts_traffic_) note_traffic();
     for (const auto& key : races_.in_order()) {
         const Race& race = races_.races().at(key);
         say_race(race, races_, clock_, *launch_);
@@ -128,6 +143,7 @@ void Watcher::end_launch() {
 void Watcher::begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes) {
     if (!launch_) return;
     races_.settle();
+    traffic_.end_block();
     clock_.begin_block(block, threads);
     if (statics_) statics_->written.set(0, statics_->bytes, false);
     dynamic_ = nullptr;
@@ -186,6 +202,7 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
     races_.settle();
     const Access me{clock_.task(thread_), clock_.now(thread_), races_.site(pc), launch_number_,
                     touch};
+    if (counts_traffic_) traffic_.add(me.site, thread_, address, bytes, writes, range.memory);
     bool all_unwritten = true;
     for (uintptr_t word = offset / 4; word * 4 < end; ++word) {
         unsigned mask = 15;

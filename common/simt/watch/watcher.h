@@ -13,6 +13,7 @@
 #include "common/simt/watch/block_clock.h"
 #include "common/simt/watch/race_book.h"
 #include "common/simt/watch/shadow.h"
+#include "common/simt/watch/traffic.h"
 #include "common/simt/where.h"
 
 #include <map>
@@ -87,6 +88,8 @@ class Watcher {
     void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
                   bool writes, uintptr_t address, unsigned bytes);
 
+    void note_traffic();
+
     BlockClock clock_;
     RaceBook races_;
     const Launch* launch_ = nullptr;
@@ -105,8 +108,10 @@ class Watcher {
     Range symbols_;                // variables of the program
     std::optional<Range> statics_; // static __shared__ variables of the worker
     std::map<uintptr_t, Allocation> allocations_;
-    std::map<uintptr_t, Range> dynamics_;  // dynamic shared memory, by its first address
-    Range* dynamic_ = nullptr;             // the block's
+    std::map<uintptr_t, Range> dynamics_; // dynamic shared memory, by its first address
+    Range* dynamic_ = nullptr;            // the block's
+    bool counts_traffic_ = false;         // RAYLAB_COUNT=memory in the environment
+    TrafficCounter traffic_;
     std::map<uintptr_t, size_t> stacks_;   // of CUDA threads: lowest address, bytes
     std::pair<uintptr_t, size_t> stack_{}; // one of them
 };
