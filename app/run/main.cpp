@@ -42,9 +42,12 @@ void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
     app.add_option("--order", options.order, "in which threads and blocks get their turn")
         ->check(CLI::IsMember({"forward", "reverse", "random"}));
     app.add_option("--seed", options.seed, "of the order random")->capture_default_str();
-    app.add_option("--include", options.include_folders, "a folder with headers")
+    app.add_option("--include", options.include_folders,
+                   "a folder with headers; may be given again")
+        ->allow_extra_args(false)
         ->check(CLI::ExistingDirectory);
-    app.add_option("--define", options.defines, "NAME or NAME=VALUE for the preprocessor");
+    app.add_option("--define", options.defines, "NAME or NAME=VALUE for the preprocessor")
+        ->allow_extra_args(false);
     auto* json = app.add_flag("--json", formats.json, "print a JSON object");
     auto* sarif = app.add_flag("--sarif", formats.sarif, "print SARIF 2.1.0");
     auto* github =
