@@ -1,4 +1,4 @@
-// expect: nothing (yet exit-before-barrier)
+// expect: nothing
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 7 assert
+// expect: plain,bounds,races,order error 7 assert; maybe warning 10 leak
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
