@@ -77,6 +77,7 @@ const Mode& mode_named(const std::string& name) {
     static const Mode modes[] = {
         {"plain", "cpu", debug, 1},
         {"bounds", "check", debug + " -O1 -fsanitize-recover=undefined", 3},
+        {"watch", "watch", debug + " -O1", 6},
         {"races", "check-threads", debug + " -O1", 6},
     };
     for (const Mode& mode : modes)

@@ -20,9 +20,14 @@ constexpr const char* examples =
     "  raylab run reduce.cu --machine all         every mistake that the machine knows\n"
     "  raylab run main.cu kernels.cu --include ../common -- 1024 input.txt\n"
     "  raylab run assignment/ --machine races --sarif > races.sarif\n"
-    "Machines: plain (fast; crashes, barriers, masks, endless loops), bounds (every address),\n"
-    "races (threads that do not wait for each other), order (does the output depend on it?).\n"
-    "Exit code 0: nothing found; 1: findings, or the program failed; 2: wrong usage, or it does "
+    "Machines: plain (fast: crashes, barriers, masks, endless loops), watch (every load and store "
+    "of a\n"
+    "kernel: bounds, races, memory that nobody wrote), bounds (the sanitizers, in host code too), "
+    "races\n"
+    "(the thread sanitizer), order (does the output depend on it?), all (the first three and "
+    "order).\n"
+    "Exit code 0: nothing found but notes; 1: findings, or the program failed; 2: wrong usage, or "
+    "it does "
     "not\n"
     "compile; 3: raylab failed, or no kernel was run.";
 
@@ -36,8 +41,8 @@ struct Formats {
 void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
     app.add_option("FILES", options.inputs, "sources (.cu, .cpp), or a folder with them")
         ->required();
-    app.add_option("--machine", options.machine, "plain, bounds, races, order or all")
-        ->check(CLI::IsMember({"plain", "bounds", "races", "order", "all"}))
+    app.add_option("--machine", options.machine, "plain, bounds, watch, races, order or all")
+        ->check(CLI::IsMember({"plain", "bounds", "races", "watch", "order", "all"}))
         ->capture_default_str();
     app.add_option("--order", options.order, "in which threads and blocks get their turn")
         ->check(CLI::IsMember({"forward", "reverse", "random"}));

@@ -16,9 +16,9 @@ namespace {
 // Kinds that say that an address is wrong. The same mistake may look like several of them, and the
 // mode with the bounds knows it best.
 bool is_about_an_address(const std::string& kind) {
-    static const std::set<std::string> kinds = {"null-pointer",   "wild-address",   "out-of-bounds",
-                                                "use-after-free", "shared-overrun", "local-overrun",
-                                                "freed-pointer",  "misaligned"};
+    static const std::set<std::string> kinds = {
+        "null-pointer", "wild-address",   "out-of-bounds", "use-after-free", "out-of-bounds-shared",
+        "host-memory",  "shared-overrun", "local-overrun", "freed-pointer",  "misaligned"};
     return kinds.count(kind) > 0;
 }
 

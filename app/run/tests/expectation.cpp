@@ -64,7 +64,7 @@ std::vector<std::string> CorpusFile::missing(const std::string& mode,
 std::vector<std::string> CorpusFile::surplus(const std::vector<Finding>& findings) const {
     std::vector<std::string> list;
     for (const Finding& finding : findings)
-        if (finding.kind != known_alarm &&
+        if (finding.severity != simt::Severity::note && finding.kind != known_alarm &&
             std::none_of(expected.begin(), expected.end(), [&](const Expected& e) {
                 return e.lines.count(finding.place.line) > 0 ||
                        (finding.other && e.lines.count(finding.other->place.line) > 0);

@@ -121,6 +121,7 @@ void record(const Race& race) {
     if (is_out_of_bounds(first, finding)) return record(std::move(finding));
     finding.kind = "race";
     const SourcePlace other = user_place(second.where);
+    if (finding.place.line == 0 && other.line == 0) return; // of the runtime's own
     const Actor other_actor = actor_of(second.thread);
     finding.other = {other, what(second, ""), other_actor};
     const bool same_block = finding.actor.block == other_actor.block;

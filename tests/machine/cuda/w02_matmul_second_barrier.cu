@@ -1,4 +1,4 @@
-// expect: races error 11|12|15 race
+// expect: races,watch error 11|12|15 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: races error 9 race
+// expect: races,watch error 9 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

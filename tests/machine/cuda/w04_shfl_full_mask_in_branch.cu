@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 10 bad-mask
+// expect: plain,bounds,races,watch,order error 10 bad-mask
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

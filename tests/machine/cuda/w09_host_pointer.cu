@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 16 host-pointer
+// expect: plain,bounds,races,watch,order error 16 host-pointer
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

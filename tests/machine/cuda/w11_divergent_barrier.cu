@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 11 exit-before-barrier
+// expect: plain,bounds,races,watch,order error 11 exit-before-barrier
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: watch warning 8 spin-lock
+// expect: none warning 8 spin-lock
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: watch error 7 too-much-shared-memory
+// expect: none error 7 too-much-shared-memory
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 21 bad-free
+// expect: plain,bounds,races,watch,order error 21 bad-free
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: races error 12 race
+// expect: races,watch error 12 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

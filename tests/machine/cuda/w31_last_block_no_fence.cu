@@ -1,4 +1,4 @@
-// expect: watch error 10 missing-fence
+// expect: none error 10 missing-fence
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: watch error 6|7|8 uninitialised
+// expect: watch error 6|7|8 uninitialised-global
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

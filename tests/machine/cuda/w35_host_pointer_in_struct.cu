@@ -1,4 +1,4 @@
-// expect: watch error 12 host-pointer
+// expect: watch error 7 host-memory
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: bounds error 8 misaligned
+// expect: bounds,watch error 8 misaligned
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

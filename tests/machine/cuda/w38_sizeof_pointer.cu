@@ -1,4 +1,4 @@
-// expect: watch error 11 uninitialised
+// expect: watch error 11 uninitialised-global
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 16 bad-copy
+// expect: plain,bounds,races,watch,order error 16 bad-copy
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

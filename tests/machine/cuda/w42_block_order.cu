@@ -1,4 +1,4 @@
-// expect: races error 8|9 race; order warning 0 order-dependence
+// expect: races,watch error 8|9 race; order warning 0 order-dependence
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

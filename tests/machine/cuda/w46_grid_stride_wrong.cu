@@ -1,4 +1,4 @@
-// expect: races error 8 race
+// expect: races,watch error 8 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 6 division-by-zero
+// expect: plain,bounds,races,watch,order error 6 division-by-zero
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 9 out-of-memory; plain,bounds,races,order error 6 null-pointer
+// expect: plain,bounds,races,watch,order error 9 out-of-memory; plain,bounds,races,watch,order error 6 null-pointer
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

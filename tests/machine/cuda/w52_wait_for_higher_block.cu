@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 9 endless-loop
+// expect: plain,bounds,races,watch,order error 9 endless-loop
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: races error 13 race
+// expect: races,watch error 13 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

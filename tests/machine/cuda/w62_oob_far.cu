@@ -1,4 +1,4 @@
-// expect: bounds error 6 out-of-bounds
+// expect: bounds,watch error 6 out-of-bounds
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

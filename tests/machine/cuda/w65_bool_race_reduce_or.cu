@@ -1,4 +1,4 @@
-// expect: races error 10|11 race
+// expect: races,watch error 10|11 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 8 bad-source
+// expect: plain,bounds,races,watch,order error 8 bad-source
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: plain,bounds,races,order error 7 assert; maybe warning 10 leak
+// expect: plain,bounds,races,watch,order error 7 assert; maybe warning 10 leak
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: watch warning 16 memset-of-a-byte
+// expect: none warning 16 memset-of-a-byte
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

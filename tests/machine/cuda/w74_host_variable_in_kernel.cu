@@ -1,4 +1,4 @@
-// expect: watch error 7 host-variable
+// expect: none error 7 host-variable
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: watch warning 19 grid-too-small
+// expect: none warning 19 grid-too-small
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
