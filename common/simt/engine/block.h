@@ -64,7 +64,7 @@ class Block {
     [[noreturn]] void overwrite(const void* end_of_function);
 
     // Ends the launch: what is wrong at this place, and what to do about it.
-    [[noreturn]] void fail(const Site& site, const std::string& what, const std::string& to_do);
+    [[noreturn]] void fail(const Site& site, const char* what, const char* to_do);
 
     void* shared() { return shared_.data(); }
     size_t shared_bytes() const { return shared_.bytes(); }

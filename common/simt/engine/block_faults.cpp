@@ -52,12 +52,16 @@ void Block::trap(const Site& site) {
     give_up(Report(*this).trapped(site));
 }
 
-void Block::fail(const Site& site, const std::string& what, const std::string& to_do) {
-    const Launch& launch = work_->launch;
-    give_up(place(site.file, site.line) + ": error: " + what + "\n  kernel " + launch.kernel +
-            ", launched at " + place(launch.file, launch.line) + ", grid " +
-            to_string(launch.grid) + ", block size " + to_string(launch.block) + "\n  block " +
-            to_string(blockIdx) + ", thread " + to_string(threadIdx) + "\n  to do: " + to_do);
+void Block::fail(const Site& site, const char* what, const char* to_do) {
+    // What is alive when the thread is left is never destroyed: nothing must be but the report.
+    auto report = [&] {
+        const Launch& launch = work_->launch;
+        return place(site.file, site.line) + ": error: " + what + "\n  kernel " + launch.kernel +
+               ", launched at " + place(launch.file, launch.line) + ", grid " +
+               to_string(launch.grid) + ", block size " + to_string(launch.block) + "\n  block " +
+               to_string(blockIdx) + ", thread " + to_string(threadIdx) + "\n  to do: " + to_do;
+    };
+    give_up(report());
 }
 
 Actor Block::actor() const {
