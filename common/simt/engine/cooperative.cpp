@@ -95,6 +95,9 @@ Workers::KernelFault run_cooperative(const Work& work, const Options& options) {
     Unobserved freeing; // of what CUDA threads used
 #endif
     auto run_block = [&](uint3 index) {
+#if defined(RAYLAB_CHECK_THREAD)
+        Unobserved reading; // of a report that a CUDA thread wrote
+#endif
         expect_faults();
         auto block = std::make_unique<Block>(options);
         current_grid = &grid;

@@ -45,10 +45,10 @@ __global__ void without_mask(int* out) {
 }
 
 // Waits for a thread that comes later in the block.
-__global__ void patient(volatile int* flag) {
+__global__ void patient(int* flag) {
     if (threadIdx.x == 0)
-        while (*flag == 0) __nanosleep(100);
-    if (threadIdx.x == 40) *flag = 1;
+        while (atomicAdd(flag, 0) == 0) __nanosleep(100);
+    if (threadIdx.x == 40) atomicExch(flag, 1);
 }
 
 } // namespace
