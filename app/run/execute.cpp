@@ -83,6 +83,7 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
     environment.set("RAYLAB_TIME_LIMIT", fmt::format("{}", limit));
     environment.set("RAYLAB_REPORTS", "0");
     environment.set("RAYLAB_MODE", execution.mode);
+    if (mode.name == "memory") environment.set("RAYLAB_COUNT", "memory");
     if (!order.empty()) {
         environment.set("RAYLAB_ORDER", order);
         environment.set("RAYLAB_WORKERS", "1"); // nothing else decides who comes first

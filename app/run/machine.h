@@ -10,11 +10,14 @@ namespace raylab::app {
 
 // How a mode is built and run.
 struct Mode {
-    std::string name;   // plain, bounds, races
-    std::string preset; // of CMakePresets.json
-    std::string flags;  // beyond those of raylab's own kernels
-    double patience;    // how much longer than plain a program may take
-    std::string build() const { return "machine-" + name; } // below build/
+    std::string name;        // plain, bounds, races, ...
+    std::string preset;      // of CMakePresets.json
+    std::string flags;       // beyond those of raylab's own kernels
+    double patience;         // how much longer than plain a program may take
+    std::string engine = {}; // the mode whose build this one uses, or empty: its own
+    std::string build() const {
+        return "machine-" + (engine.empty() ? name : engine);
+    } // below build/
 };
 
 const Mode& mode_named(const std::string& name);

@@ -24,8 +24,9 @@ constexpr const char* examples =
     "of a\n"
     "kernel: bounds, races, memory that nobody wrote), bounds (the sanitizers, in host code too), "
     "races\n"
-    "(the thread sanitizer), order (does the output depend on it?), all (the first three and "
-    "order).\n"
+    "(the thread sanitizer), order (does the output depend on it?), memory (for each line the "
+    "lanes\n"
+    "that take part, sectors and bank conflicts), all (the first three and order).\n"
     "Exit code 0: nothing found but notes; 1: findings, or the program failed; 2: wrong usage, or "
     "it does "
     "not\n"
@@ -41,8 +42,9 @@ struct Formats {
 void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
     app.add_option("FILES", options.inputs, "sources (.cu, .cpp), or a folder with them")
         ->required();
-    app.add_option("--machine", options.machine, "plain, bounds, watch, races, order or all")
-        ->check(CLI::IsMember({"plain", "bounds", "races", "watch", "order", "all"}))
+    app.add_option("--machine", options.machine,
+                   "plain, bounds, watch, races, order, memory or all")
+        ->check(CLI::IsMember({"plain", "bounds", "races", "watch", "order", "memory", "all"}))
         ->capture_default_str();
     app.add_option("--order", options.order, "in which threads and blocks get their turn")
         ->check(CLI::IsMember({"forward", "reverse", "random"}));

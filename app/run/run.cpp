@@ -42,7 +42,7 @@ class Session {
         if (machine == "order") {
             if (build("plain")) compare_orders();
         } else {
-            for (const char* mode : {"plain", "bounds", "races", "watch"})
+            for (const char* mode : {"plain", "bounds", "races", "watch", "memory"})
                 if (is_asked_for(mode) && !(build(mode) && run_once())) return finish();
             if (all && build("plain")) compare_orders();
         }
@@ -52,7 +52,8 @@ class Session {
   private:
     // What the thread sanitizer finds, the machine that watches everything finds too, and faster.
     bool is_asked_for(const std::string& mode) const {
-        return options_.machine == mode || (options_.machine == "all" && mode != "races");
+        return options_.machine == mode ||
+               (options_.machine == "all" && mode != "races" && mode != "memory");
     }
 
     bool build(const std::string& name) {
