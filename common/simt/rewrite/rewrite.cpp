@@ -4,7 +4,7 @@
 
 #include "common/simt/rewrite/conditions.h"
 #include "common/simt/rewrite/foreign.h"
-#include "common/simt/rewrite/lexer.h"
+#include "common/simt/rewrite/source.h"
 
 #include <algorithm>
 #include <vector>
@@ -18,14 +18,10 @@ struct Edit {
     std::string text;
 };
 
-bool opens(const Token& t) { return t.spelling == "(" || t.spelling == "[" || t.spelling == "{"; }
-bool closes(const Token& t) { return t.spelling == ")" || t.spelling == "]" || t.spelling == "}"; }
-
-class Rewriter {
+class Rewriter : Source {
   public:
     Rewriter(std::string_view source, const std::string& name, bool foreign)
-        : source_(source), name_(name), foreign_(foreign), tokens_(tokenize(source, &includes_)),
-          conditions_(source, tokens_) {}
+        : Source(source, name), foreign_(foreign), conditions_(source, tokens_) {}
 
     std::string run() {
         for (size_t i = 0; i < tokens_.size(); ++i) {
@@ -63,22 +59,6 @@ class Rewriter {
     }
 
   private:
-    bool is(size_t i, std::string_view spelling) const {
-        return i < tokens_.size() && tokens_[i].kind != Token::Kind::text &&
-               tokens_[i].spelling == spelling;
-    }
-
-    [[noreturn]] void fail(const Token& token, const std::string& what) const {
-        throw RewriteError(name_ + ":" + std::to_string(token.line) + ": error: " + what);
-    }
-    [[noreturn]] void fail(size_t i, const std::string& what) const { fail(tokens_[i], what); }
-
-    // Three marks in a row. Some formatters, and therefore some programs, write `<< <`, which has
-    // no other meaning in C++.
-    bool triple(size_t i, std::string_view mark) const {
-        return is(i, mark) && is(i + 1, mark) && is(i + 2, mark) &&
-               tokens_[i + 1].begin == tokens_[i].begin + 1;
-    }
     Edit replace(size_t first, size_t last, std::string text) const {
         size_t begin = tokens_[first].begin, length = tokens_[last].end() - begin;
         auto lines =
@@ -112,70 +92,6 @@ class Rewriter {
         edits_.push_back({tokens_[first].begin, 0, "::raylab::simt::launcher(RAYLAB_KERNEL("});
         edits_.push_back(replace(open, open + 2, "), "));
         edits_.push_back(replace(close, close + 2, ")"));
-    }
-
-    // The first token of the expression that ends before `end`: names joined by :: . and ->, with
-    // template arguments, calls, indices, or something in parentheses.
-    size_t kernel_begin(size_t end) const {
-        size_t i = end;
-        for (;;) {
-            size_t last = i - 1;
-            if (is(last, ")") || is(last, "]")) {
-                i = matching(last);
-                bool operand_before =
-                    i > 0 && (is_name(i - 1) || is(i - 1, "]") || is(i - 1, ">") ||
-                              (is(i - 1, ")") && !ends_condition(i - 1)));
-                if (!operand_before) return i; // (expression)<<<
-                continue;                      // f(...)<<< or table[...]<<<
-            }
-            if (is(last, ">")) last = template_arguments(last) - 1;
-            if (last >= tokens_.size() || !is_name(last))
-                fail(end, "there is no kernel before <<<");
-            i = last;
-            if (i > 0 && is(i - 1, "template")) --i;
-            if (i == 0 || !(is(i - 1, "::") || is(i - 1, ".") || is(i - 1, "->"))) return i;
-            --i;
-            bool more =
-                i > 0 && (is_name(i - 1) || is(i - 1, ">") || is(i - 1, ")") || is(i - 1, "]"));
-            if (!more) return i; // ::k<<<
-        }
-    }
-
-    bool is_name(size_t i) const {
-        return tokens_[i].kind == Token::Kind::word && !is(i, "return") && !is(i, "else") &&
-               !is(i, "do") && !is(i, "case") && !is(i, "co_return");
-    }
-
-    // Whether this `)` closes the condition of an if, a loop or a switch.
-    bool ends_condition(size_t close) const {
-        size_t open = matching(close);
-        if (open > 0 && is(open - 1, "constexpr")) --open;
-        return open > 0 && (is(open - 1, "if") || is(open - 1, "while") || is(open - 1, "for") ||
-                            is(open - 1, "switch"));
-    }
-
-    // The bracket that the one at `close` closes.
-    size_t matching(size_t close) const {
-        size_t depth = 0;
-        for (size_t i = close;; --i) {
-            if (closes(tokens_[i])) ++depth;
-            if (opens(tokens_[i]) && --depth == 0) return i;
-            if (i == 0) fail(close, "unbalanced brackets before <<<");
-        }
-    }
-
-    // The `<` that opens the template arguments ended by the `>` at `close`.
-    size_t template_arguments(size_t close) const {
-        size_t depth = 0;
-        for (size_t i = close;; --i) {
-            if (closes(tokens_[i]))
-                i = matching(i);
-            else if (is(i, ">"))
-                ++depth;
-            else if (is(i, "<") && --depth == 0)
-                return i;
-            if (i == 0) fail(close, "unbalanced template arguments before <<<");
-        }
     }
 
     // extern __shared__ [alignment] T name[][N]; or T name;
@@ -264,21 +180,6 @@ class Rewriter {
             edits_.push_back(replace(i, star + 1, ""));
     }
 
-    size_t close_of(size_t open) const {
-        size_t depth = 0;
-        for (size_t i = open; i < tokens_.size(); ++i) {
-            if (opens(tokens_[i])) ++depth;
-            if (closes(tokens_[i]) && --depth == 0) return i;
-        }
-        fail(open, "unbalanced brackets");
-    }
-
-    std::string text(size_t first, size_t end) const {
-        std::string all;
-        for (size_t i = first; i < end; ++i) all += tokens_[i].spelling;
-        return all;
-    }
-
     // Scopes: namespaces and extern "C" on one side, everything else on the other.
     void track_scope(size_t i) {
         if (is(i, "}") && !scopes_.empty()) scopes_.pop_back();
@@ -307,10 +208,7 @@ class Rewriter {
         return std::find(scopes_.begin(), scopes_.end(), false) == scopes_.end();
     }
 
-    std::string_view source_;
-    std::string name_;
     bool foreign_;
-    std::vector<Token> includes_, tokens_;
     Conditions conditions_;
     std::vector<Edit> edits_;
     std::vector<bool> scopes_;
