@@ -25,7 +25,7 @@ constexpr struct {
     Severity severity;
     const char* advice;
 } known[] = {
-    {"out-of-bounds-index", "out-of-bounds", Severity::error,
+    {"out-of-bounds-index", "index-out-of-bounds", Severity::error,
      "test the index against the array's length"},
     {"insufficient-object-size", "out-of-bounds", Severity::error,
      "test the index against the array's length"},

@@ -1,4 +1,4 @@
-// expect: watch error 8 uninitialised-shared
+// expect: watch error 8|10 uninitialised-shared
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

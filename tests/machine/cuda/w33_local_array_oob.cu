@@ -1,4 +1,4 @@
-// expect: bounds,watch error 8 out-of-bounds; maybe error 6 local-overrun
+// expect: bounds,watch error 8 index-out-of-bounds; maybe error 6 local-overrun
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

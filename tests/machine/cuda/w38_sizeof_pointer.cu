@@ -1,4 +1,4 @@
-// expect: watch error 11 uninitialised-global
+// expect: watch error 6 uninitialised-global
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

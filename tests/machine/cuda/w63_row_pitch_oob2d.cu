@@ -1,4 +1,4 @@
-// expect: bounds,watch error 11 out-of-bounds
+// expect: bounds,watch error 11 index-out-of-bounds
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
