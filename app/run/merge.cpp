@@ -51,8 +51,10 @@ std::vector<Finding> merged(const std::vector<Execution>& executions) {
             if (!stands(finding, bad_lines)) continue;
             const Line other =
                 finding.other && finding.kind == "race" ? line_of(finding.other->place) : Line{};
+            // Two sanitizers may have two words for it.
+            const std::string kind = is_about_an_address(finding.kind) ? "address" : finding.kind;
             const auto [at, is_new] =
-                known.try_emplace({finding.kind, line_of(finding.place), other}, list.size());
+                known.try_emplace({kind, line_of(finding.place), other}, list.size());
             if (is_new) {
                 list.push_back(finding);
                 continue;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace raylab::app {
 
@@ -63,6 +64,15 @@ std::string ending(const Execution& execution) {
     return {};
 }
 
+// One line a mode: those of the orders are alike.
+std::string all_that_was_checked(const Result& result) {
+    std::string text, last;
+    for (const Execution& execution : result.executions)
+        if (std::exchange(last, execution.mode) != execution.mode)
+            text += "checked " + what_was_checked(execution) + "\n";
+    return text;
+}
+
 // Of an annotation, as GitHub wants it.
 std::string escaped(const std::string& text, bool is_property) {
     std::string out;
@@ -93,7 +103,7 @@ std::string in_words(const simt::Actor& actor) {
 
 std::string what_was_checked(const Execution& execution) {
     std::string text = execution.mode;
-    if (!execution.order.empty()) text += " " + execution.order;
+    if (!execution.order.empty()) text += " (forward, reverse and random)";
     if (const auto& summary = execution.summary)
         text += fmt::format(": {}, {}, {} allocated, {}", plural(summary->launches, "launch"),
                             plural(summary->threads, "CUDA thread"), human_bytes(summary->bytes),
@@ -117,10 +127,8 @@ std::string to_text(const Result& result) {
         if (const auto count = counts[std::size_t(severity)])
             sums += (sums.empty() ? "" : ", ") + plural(count, name(severity));
     bool ran = false;
-    for (const Execution& execution : result.executions) {
-        text += "checked " + what_was_checked(execution) + "\n";
-        ran |= execution.summary.has_value();
-    }
+    text += all_that_was_checked(result);
+    for (const Execution& execution : result.executions) ran |= execution.summary.has_value();
     if (sums.empty()) sums = ran ? "nothing found" : "no kernel was run: nothing was checked";
     return text + sums + "\n";
 }
@@ -140,9 +148,7 @@ std::string to_github(const Result& result) {
         text += fmt::format("::{} {},title={}::{}\n", level, where, escaped(finding.kind, true),
                             escaped(words, false));
     }
-    for (const Execution& execution : result.executions)
-        text += "checked " + what_was_checked(execution) + "\n";
-    return text;
+    return text + all_that_was_checked(result);
 }
 
 } // namespace raylab::app

@@ -1,4 +1,4 @@
-// expect: plain,races,order error 9 wild-address; bounds error 9 out-of-bounds; watch error 9 out-of-bounds
+// expect: plain,bounds,races,order error 9 wild-address; watch error 9 out-of-bounds
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
