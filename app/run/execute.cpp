@@ -77,7 +77,8 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
             entry.path().extension() != ".cpp")
             fs::remove(entry.path());
     const double limit = options.time_limit * mode.patience;
-    Execution execution{order.empty() ? mode.name : "order", order, {}, {}, {}, {}};
+    const bool compares = options.order.empty() && !order.empty(); // all orders
+    Execution execution{compares ? "order" : mode.name, order, {}, {}, {}, {}};
     Environment environment;
     environment.set("RAYLAB_FINDINGS", findings.string());
     environment.set("RAYLAB_TIME_LIMIT", fmt::format("{}", limit));

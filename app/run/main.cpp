@@ -91,6 +91,9 @@ int run_command(int argc, char** argv) {
         return int(asked_for_help ? ExitCode::success : ExitCode::bad_usage);
     }
     options.format = formats.chosen();
+    if (!options.order.empty() && (options.machine == "order" || options.machine == "all"))
+        throw UsageError("--order is for one run, and --machine " + options.machine +
+                         " compares all orders: leave one of them out");
     const Tree tree = {RAYLAB_ROOT};
     expect_own_tree(RAYLAB_PROGRAM_FILE, tree.root);
     const Result result = app::run(tree, options);

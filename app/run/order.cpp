@@ -71,7 +71,7 @@ std::vector<simt::Finding> order_dependence(const std::vector<Execution>& runs,
                         at.line, at.left, runs[0].order, at.right, runs[i].order);
         finding.advice =
             "look for threads or blocks that read what others write in the same launch; "
-            "--machine races names the lines";
+            "--machine watch names the lines";
         finding.mode = "order";
         return {finding};
     }

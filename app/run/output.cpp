@@ -103,7 +103,7 @@ std::string in_words(const simt::Actor& actor) {
 
 std::string what_was_checked(const Execution& execution) {
     std::string text = execution.mode;
-    if (!execution.order.empty()) text += " (forward, reverse and random)";
+    if (execution.mode == "order") text += " (forward, reverse and random)";
     if (const auto& summary = execution.summary)
         text += fmt::format(": {}, {}, {} allocated, {}", plural(summary->launches, "launch"),
                             plural(summary->threads, "CUDA thread"), human_bytes(summary->bytes),
