@@ -1,4 +1,4 @@
-// expect: nothing
+// expect: nothing (yet race)
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
