@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct CheckOptions {
-    std::string lab, task;
+    std::string lab, task, machine = "plain";
     bool watch = false, json = false;
 };
 
@@ -83,7 +83,13 @@ Run add_check(CLI::App& app, const Tree& tree) {
     app.add_option("TASK", options->task, "one task, such as 2.3 (default: all)");
     app.add_flag("--watch", options->watch, "check again whenever a file of the lab changes");
     app.add_flag("--json", options->json, "print a JSON object");
+    app.add_option(
+           "--machine", options->machine,
+           "plain, or watch: looks at every load and store, slower (the script chooses the build)")
+        ->check(CLI::IsMember({"plain", "watch"}))
+        ->capture_default_str();
     app.footer("Examples:\n  raylab check 02\n  raylab check 02 2.3 --watch\n"
+               "  raylab check 03 --machine watch    races and unwritten memory are wrong, too\n"
                "Exit code 0: all tasks asked for pass; 1: not all, or the lab does not compile;\n"
                "3: a test did not run, and nothing is said about the lab.");
     return [options, tree] { return run_check(tree, *options); };

@@ -2,6 +2,7 @@
 
 #include "common/cli/files.h"
 #include "common/cli/process.h"
+#include "common/simt/finding.h"
 #include "grader/course/contains.h"
 
 #include <fmt/format.h>
@@ -121,15 +122,30 @@ Report read_report(const std::string& text) {
     return report;
 }
 
+// What the machine that watches every access (common/simt/watch) has found wrong, a sentence each.
+std::vector<std::string> watched_mistakes(const std::string& findings) {
+    std::vector<std::string> sentences;
+    for (const simt::Finding& finding : simt::folded(simt::parse_findings(findings).findings)) {
+        if (finding.mode != "watch" || finding.severity != simt::Severity::error) continue;
+        std::string sentence = fmt::format("{}:{}: {}; {}", finding.place.file, finding.place.line,
+                                           finding.message, finding.advice);
+        if (finding.other)
+            sentence += fmt::format(" (the other end: {}:{})", finding.other->place.file,
+                                    finding.other->place.line);
+        sentences.push_back(sentence);
+    }
+    return sentences;
+}
+
 TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder) {
-    const TemporaryFile file;
+    const TemporaryFile file, findings;
     bool began = false; // looked for as output comes, since only the end of long output is kept
-    const ProcessResult process =
-        run_process({program.string(), "--gtest_filter=" + name, "--gtest_color=no",
-                     "--gtest_output=json:" + file.path()},
-                    {test_limit_seconds, folder, [&](const std::string& output) {
-                         began = began || output.find("[ RUN      ] " + name) != output.npos;
-                     }});
+    const ProcessResult process = run_process(
+        {"env", "RAYLAB_FINDINGS=" + findings.path(), program.string(), "--gtest_filter=" + name,
+         "--gtest_color=no", "--gtest_output=json:" + file.path()},
+        {test_limit_seconds, folder, [&](const std::string& output) {
+             began = began || output.find("[ RUN      ] " + name) != output.npos;
+         }});
     const Report report = read_report(read_file(file.path()));
     if (!report.completed && !report.result.empty())
         did_not_run(name, "it was skipped or disabled");
@@ -142,7 +158,8 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
     TestOutcome outcome;
     outcome.passed = process.succeeded() && report.completed;
     outcome.stubs = stubs_met(process.output);
-    if (outcome.passed) return outcome;
+    const std::vector<std::string> mistakes = watched_mistakes(read_file(findings.path()));
+    if (outcome.passed && mistakes.empty()) return outcome;
     if (process.timed_out)
         outcome.facts = {fmt::format("{} did not end within {:.0f} s; the likely cause: a loop "
                                      "whose condition never becomes false",
@@ -160,6 +177,8 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
                                      name, process.exit_code)};
     else
         outcome.facts = report.facts;
+    outcome.passed = false;
+    outcome.facts.insert(outcome.facts.end(), mistakes.begin(), mistakes.end());
     if (outcome.facts.empty())
         outcome.facts = {fmt::format("{} ended with exit code {}", name, process.exit_code)};
     return outcome;
