@@ -62,7 +62,8 @@ ExitCode run_check(const Tree& tree, const CheckOptions& options) {
     for (;;) {
         const LabSheet sheet = find_lab(tree.root, options.lab);
         const Snapshot before(sheet.path());
-        const CheckReport report = check_tasks(tree, sheet, asked_tasks(sheet, options.task));
+        const CheckReport report = check_tasks(tree, sheet, asked_tasks(sheet, options.task),
+                                               options.machine == "watch" ? 20 : 1);
         if (options.json)
             fmt::print("{}\n", to_json(report));
         else

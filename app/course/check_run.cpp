@@ -85,7 +85,7 @@ bool CheckReport::passed() const {
 }
 
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
-                        const std::vector<std::string>& ids) {
+                        const std::vector<std::string>& ids, double patience) {
     CheckReport report{sheet, "", {}, 0, 0};
     const ProcessResult build = build_target(tree, sheet.test_target);
     report.build_seconds = build.seconds;
@@ -99,7 +99,7 @@ CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
     const fs::path program = tree.build / "labs" / sheet.folder / sheet.test_target;
     Progress progress("checking", static_cast<int>(ids.size()), "tasks", 1);
     for (const std::string& id : ids) {
-        report.results.push_back(judge_task(sheet, *sheet.find(id), program));
+        report.results.push_back(judge_task(sheet, *sheet.find(id), program, patience));
         report.test_seconds += report.results.back().seconds;
         progress.update(static_cast<int>(report.results.size()));
     }

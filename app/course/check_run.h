@@ -25,7 +25,7 @@ struct CheckReport {
 // Builds the lab's tests and judges the tasks with these ids. Throws CourseError for what is wrong
 // with the lab's sheet, std::runtime_error if the build itself cannot be run.
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
-                        const std::vector<std::string>& ids);
+                        const std::vector<std::string>& ids, double patience = 1);
 
 // For people: one line a task, facts beneath.
 std::string to_text(const CheckReport& report);

@@ -36,8 +36,9 @@ struct TaskResult {
 // says so itself. Throws std::runtime_error where a test did not run, which tells nothing about the
 // lab: no program, no test that a filter of the task matches, a program that ends before the test
 // begins, a test that skips itself or is disabled, a report that cannot be read, no GPU.
-TaskResult judge_task(const LabSheet& sheet, const Task& task,
-                      const std::filesystem::path& program);
+// `patience`: how much longer than usual a test may take, in a build that is slower.
+TaskResult judge_task(const LabSheet& sheet, const Task& task, const std::filesystem::path& program,
+                      double patience = 1);
 
 // The stubs of a task that still stand in the lab's folder, whether or not anything calls them.
 std::vector<Stub> standing_stubs(const LabSheet& sheet, const std::filesystem::path& lab_folder,

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 
 namespace raylab {
 
@@ -14,6 +15,16 @@ TEST(Right, Two) {}
 
 TEST(Wrong, One) { task::expect_near("the answer", 41, 42, 0.5, "one too few"); }
 TEST(Wrong, Two) {}
+
+// Passes by its own words; the machine that watches every access has seen a race, and a harmless
+// one.
+TEST(Watched, One) {
+    std::ofstream out(std::getenv("RAYLAB_FINDINGS"));
+    for (const char* severity : {"error", "note"})
+        out << R"({"kind": "race", "mode": "watch", "severity": ")" << severity
+            << R"(", "file": "labs/07_fake/a.cu", "line": 12, "message": "a race", "advice": "a barrier"})"
+            << "\n";
+}
 
 TEST(Stubbed, One) {
     not_implemented("7.3", "f()", "/some/where/labs/07_fake/a.cpp", 12);

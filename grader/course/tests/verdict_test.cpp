@@ -39,6 +39,12 @@ TEST_F(Verdicts, AllTestsPass) {
     EXPECT_EQ(result.points(), 3);
 }
 
+TEST_F(Verdicts, WhatTheWatchFoundIsWrong) {
+    const TaskResult result = judge("7.9", "Watched.*");
+    EXPECT_EQ(result.verdict, Verdict::wrong);
+    EXPECT_EQ(result.facts, std::vector<std::string>{"labs/07_fake/a.cu:12: a race; a barrier"});
+}
+
 TEST_F(Verdicts, WrongSaysTheMeasuredFactAlone) {
     const TaskResult result = judge("7.9", "Wrong.*");
     EXPECT_EQ(result.verdict, Verdict::wrong);
