@@ -25,7 +25,8 @@ constexpr double compile_limit_seconds = 600;
 
 bool is_source(const fs::path& file) {
     const std::string ending = ending_of(file);
-    return ending == ".cu" || ending == ".cpp" || ending == ".cc" || ending == ".cxx";
+    return ending == ".cu" || ending == ".cpp" || ending == ".cc" || ending == ".cxx" ||
+           ending == ".c";
 }
 
 std::string in_quotes(const std::string& word) { // for the shell
@@ -46,7 +47,8 @@ class Builder {
         flags_ = before(machine.compile, " -MD ") + machine.mode->flags;
         flags_ += " -isystem " + in_quotes((tree.root / "common/simt/include").string());
         for (const std::string& include : options.include_folders)
-            flags_ += " -I" + in_quotes(fs::absolute(include).string());
+            flags_ += (fs::exists(fs::path(include) / "thrust/version.h") ? " -isystem " : " -I") +
+                      in_quotes(fs::absolute(include).string());
         for (const std::string& define : options.defines) flags_ += " -D" + in_quotes(define);
     }
 
@@ -61,6 +63,7 @@ class Builder {
             if (!run(rewriting(source, tree), {})) return false;
             to_compile = fs::path(words_of_last_).lexically_relative(folder_).string();
         }
+        if (ending_of(source) == ".c") flags += " -std=gnu17 -x c"; // as nvcc: not C++
         flags += " -iquote " + in_quotes(place.parent_path().string());
         objects_ += " " + in_quotes((folder_ / object).string());
         return run(
@@ -120,7 +123,7 @@ std::vector<std::string> sources_of(const std::vector<std::string>& inputs) {
         if (!fs::is_directory(input)) {
             if (!is_source(input))
                 throw UsageError(fmt::format("'{}' is not a source of CUDA or C++: expected a name "
-                                             "that ends in .cu or .cpp",
+                                             "that ends in .cu, .cpp or .c",
                                              input));
             sources.push_back(input);
             continue;

@@ -9,7 +9,7 @@
 
 namespace raylab::app {
 
-// The sources that the inputs name: files as they are, of a folder every .cu and .cpp in it. Throws
+// The sources that the inputs name: files as they are, of a folder every .cu, .cpp and .c in it. Throws
 // UsageError.
 std::vector<std::string> sources_of(const std::vector<std::string>& inputs);
 

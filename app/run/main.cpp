@@ -40,7 +40,7 @@ struct Formats {
 };
 
 void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
-    app.add_option("FILES", options.inputs, "sources (.cu, .cpp), or a folder with them")
+    app.add_option("FILES", options.inputs, "sources (.cu, .cpp, .c), or a folder with them")
         ->required();
     app.add_option("--machine", options.machine,
                    "plain, bounds, watch, races, order, memory or all")

@@ -69,6 +69,20 @@ TEST(Run, WhatDoesNotCompile) {
     fs::remove(file);
 }
 
+TEST(Run, SourcesInCAreNotCxx) {
+    const fs::path folder = fs::temp_directory_path() / "raylab_run_test";
+    fs::create_directories(folder);
+    std::ofstream(folder / "kernel.cu") << "__global__ void k(int* p) { *p = 7; }\n"
+                                           "extern \"C\" int seven() {\n"
+                                           "  int* p; cudaMallocManaged(&p, 4); k<<<1, 1>>>(p);\n"
+                                           "  cudaDeviceSynchronize(); return *p; }\n";
+    std::ofstream(folder / "main.c") << "int seven(void);\n"
+                                        "int main() { int class = seven(); return class != 7; }\n";
+    const Outcome outcome = run(folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    fs::remove_all(folder);
+}
+
 TEST(CompilerErrors, InAHeaderAreToldAtTheLineThatLedThere) {
     const auto findings = compiler_errors("h.h: In function 'f':\n"
                                           "a.cu:9:3:   required from here\n"

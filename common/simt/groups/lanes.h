@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace cooperative_groups {
 
@@ -117,6 +118,10 @@ template <unsigned Size, class Parent = void> class thread_block_tile : public L
 
   public:
     thread_block_tile(unsigned mask, unsigned part, unsigned parts) : Lanes(mask, part, parts) {}
+    // A tile that does not say of what it is a part, is made of any of its size.
+    template <class Other>
+    requires std::is_void_v<Parent> thread_block_tile(const thread_block_tile<Size, Other>& tile)
+        : Lanes(tile) {}
 
     template <class T> T shfl_xor(T value, unsigned bits, Where where = Where::here()) const {
         return from(site("shfl_xor()", where), value, (thread_rank() ^ bits) % Size);

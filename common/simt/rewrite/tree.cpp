@@ -36,6 +36,10 @@ class Tree {
         });
         // nvcc reads the runtime's header in front of every source.
         if (main) text = "#include <cuda_runtime.h>\n" + text;
+        if (main && uses_thrust_) // nvcc says that its devices are GPUs
+            text = "#ifndef THRUST_DEVICE_SYSTEM\n"
+                   "#define THRUST_DEVICE_SYSTEM THRUST_DEVICE_SYSTEM_CPP\n#endif\n" +
+                   text;
         write(copy, text);
         return copy;
     }
@@ -57,6 +61,7 @@ class Tree {
         for (const fs::path& candidate : candidates)
             if (fs::is_regular_file(candidate))
                 return {"\"" + add(candidate.lexically_normal(), false).string() + "\"", ""};
+        uses_thrust_ |= name.starts_with("thrust/") || name.starts_with("cub/");
         return {"", refused_header(name, has_thrust_)};
     }
 
@@ -75,7 +80,8 @@ class Tree {
         std::stringstream text;
         text << in.rdbuf();
         if (!in) throw std::runtime_error(file.string() + ": error: cannot be read");
-        return text.str();
+        const std::string all = text.str(), mark = "\xef\xbb\xbf"; // of UTF-8, by some editors
+        return all.starts_with(mark) ? all.substr(mark.size()) : all;
     }
 
     static void write(const fs::path& file, const std::string& text) {
@@ -88,7 +94,7 @@ class Tree {
     }
 
     fs::path home_, out_;
-    bool has_thrust_;
+    bool has_thrust_, uses_thrust_ = false;
     std::vector<fs::path> folders_;
     std::set<fs::path> done_;
 };

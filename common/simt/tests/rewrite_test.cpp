@@ -197,7 +197,8 @@ TEST(RewriteTree, CopiesIncludeCopiesAndNameTheOriginals) {
           "#include \"sub/a.cuh\"\n#include \"../common/b.h\"\n#include <c.h>\n");
     write("program/sub/a.cuh", "#pragma once\n#include \"../main.h\"\n#include \"absent.h\"\n");
     write("program/main.h", "#include \"sub/a.cuh\"\nk << <1, 1 >> >();\n");
-    write("common/b.h", "extern __shared__ int n[];\n");
+    write("common/b.h", "\xef\xbb\xbf"
+                        "extern __shared__ int n[];\n");
     write("elsewhere/c.h", "int c;\n");
 
     fs::path source = home / "program/main.cu";
@@ -224,6 +225,12 @@ TEST(RewriteTree, CopiesIncludeCopiesAndNameTheOriginals) {
                   0u)
             << error.what();
     }
+    write("thrust/thrust/version.h", "");
+    write("program/main.h", "#include <thrust/sort.h>\n");
+    EXPECT_EQ(read(rewrite_tree(source, out, {home / "thrust"}))
+                  .find("#ifndef THRUST_DEVICE_SYSTEM\n#define THRUST_DEVICE_SYSTEM "
+                        "THRUST_DEVICE_SYSTEM_CPP\n#endif\n#include <cuda_runtime.h>\n"),
+              0u);
     EXPECT_THROW(rewrite_tree(home / "none.cu", out, {}), std::runtime_error);
     fs::remove_all(home);
 }

@@ -48,7 +48,8 @@ template <unsigned Size> __global__ void tiles(Tile* out) {
     auto tile = cg::tiled_partition<Size>(block);
     int t = int(block.thread_rank());
     Tile result{};
-    result.rank = tile.thread_rank();
+    cg::thread_block_tile<Size> of_any_parent = tile;
+    result.rank = of_any_parent.thread_rank();
     result.part = tile.meta_group_rank();
     result.parts = tile.meta_group_size();
     result.ballot = tile.ballot(t % 3 == 0);
