@@ -74,6 +74,11 @@ inline cudaError_t cudaMemcpyPeer(void* to, int, const void* from, int, size_t b
                                   raylab::simt::Where where = raylab::simt::Where::here()) {
     return cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice, where);
 }
+inline cudaError_t cudaMemcpyPeerAsync(void* to, int to_device, const void* from, int from_device,
+                                       size_t bytes, cudaStream_t = nullptr,
+                                       raylab::simt::Where where = raylab::simt::Where::here()) {
+    return cudaMemcpyPeer(to, to_device, from, from_device, bytes, where);
+}
 template <class T>
 inline cudaError_t
 cudaMemcpyToSymbolAsync(T& symbol, const void* from, size_t bytes, size_t offset,

@@ -38,3 +38,30 @@ inline cudaError_t cudaLaunchHostFunc(cudaStream_t, cudaHostFn_t function, void*
     function(data);
     return cudaDeviceSynchronize();
 }
+
+// Which memory should stay in the cache, and other attributes: accepted, and without effect.
+enum cudaAccessProperty {
+    cudaAccessPropertyNormal,
+    cudaAccessPropertyStreaming,
+    cudaAccessPropertyPersisting
+};
+struct cudaAccessPolicyWindow {
+    void* base_ptr;
+    size_t num_bytes;
+    float hitRatio;
+    cudaAccessProperty hitProp, missProp;
+};
+enum cudaStreamAttrID {
+    cudaStreamAttributeAccessPolicyWindow = 1,
+    cudaStreamAttributeSynchronizationPolicy = 3,
+    cudaStreamAttributePriority = 8
+};
+union cudaStreamAttrValue {
+    cudaAccessPolicyWindow accessPolicyWindow;
+    int syncPolicy, priority;
+};
+inline cudaError_t cudaStreamSetAttribute(cudaStream_t stream, cudaStreamAttrID,
+                                          const cudaStreamAttrValue*) {
+    return cudaStreamQuery(stream);
+}
+inline cudaError_t cudaCtxResetPersistingL2Cache() { return cudaDeviceSynchronize(); }

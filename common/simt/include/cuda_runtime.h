@@ -5,6 +5,13 @@
 // must not take the CPU machine for nvcc.
 #pragma once
 
+// With C++20, libstdc++'s math.h makes std::lerp() global, and helper_math.h has one of its own;
+// nvcc reads C++17. Reading math.h first, with another name in that place, keeps it from this.
+#include <cmath>
+#define lerp abs
+#include <math.h>
+#undef lerp
+
 #include "common/simt/cuda.h"
 
 #include "common/simt/api/arithmetic.h"
@@ -27,7 +34,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <math.h>
 #include <stdlib.h>
 
 // helper_cuda.h offers its functions by these.

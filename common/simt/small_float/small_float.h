@@ -14,6 +14,9 @@ template <class Format> struct SmallFloat {
     template <class T>
     requires std::is_arithmetic_v<T> SmallFloat(T value) : bits(Format::from(double(value))) {}
 
+    template <class Other>
+    explicit SmallFloat(SmallFloat<Other> value) : SmallFloat(float(value)) {}
+
     operator float() const { return Format::to_float(bits); }
 
     static SmallFloat from_bits(unsigned bits) {

@@ -10,6 +10,9 @@
 
 using namespace raylab::simt;
 
+// Of this name and place in programs, where C++20 may have another one.
+inline __host__ __device__ float lerp(float a, float b, float t) { return a + t * (b - a); }
+
 namespace {
 
 // Pseudorandom numbers for operands.
@@ -149,6 +152,8 @@ TEST(ForeignNumbers, FunctionsThatTheStandardLacks) {
     EXPECT_EQ(__fdividef(1, 4), 0.25f);
     EXPECT_EQ(CUDART_PI_F, float(M_PI));
 }
+
+TEST(ForeignNumbers, NamesOfLaterStandardsAreFree) { EXPECT_EQ(lerp(1.f, 3.f, 0.25f), 1.5f); }
 
 TEST(ForeignNumbers, ComplexNumbersAreThoseOfTheStandard) {
     for (int i = 0; i < 100; ++i) {

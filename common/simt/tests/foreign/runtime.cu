@@ -3,8 +3,12 @@
 
 using namespace raylab::simt;
 
+#include <channel_descriptor.h>
 #include <cuda_profiler_api.h>
+#include <driver_functions.h>
 #include <driver_types.h>
+#include <surface_types.h>
+#include <texture_types.h>
 
 #if !defined(__DRIVER_TYPES_H__) || !defined(__CUDA_RUNTIME_H__) || !defined(__CUDACC__)
 #error "helper_cuda.h looks for these"
@@ -205,6 +209,18 @@ TEST(ForeignStreams, DoTheirWorkInTheOrderOfTheCalls) {
                   },
                   &both, 0),
               cudaSuccess);
+    int* twin = nullptr;
+    ASSERT_EQ(cudaMallocAsync(&twin, sizeof(int), stream), cudaSuccess);
+    EXPECT_EQ(cudaMemcpyPeerAsync(twin, 0, device, 0, sizeof(int), stream), cudaSuccess);
+    EXPECT_EQ(cudaMemcpyAsync(&host, twin, 4, cudaMemcpyDeviceToHost, stream), cudaSuccess);
+    EXPECT_EQ(host, 1);
+    EXPECT_EQ(cudaFreeAsync(twin, stream), cudaSuccess);
+    cudaStreamAttrValue attribute = {};
+    attribute.accessPolicyWindow.base_ptr = device;
+    attribute.accessPolicyWindow.hitProp = cudaAccessPropertyPersisting;
+    EXPECT_EQ(cudaStreamSetAttribute(stream, cudaStreamAttributeAccessPolicyWindow, &attribute),
+              cudaSuccess);
+    EXPECT_EQ(cudaCtxResetPersistingL2Cache(), cudaSuccess);
     EXPECT_EQ(cudaFreeAsync(device, stream), cudaSuccess);
     EXPECT_EQ(cudaStreamSynchronize(stream), cudaSuccess);
     EXPECT_EQ(seen, 1);

@@ -60,6 +60,8 @@ TEST(SmallFloats, RoundAsTheirFormatsSay) {
     EXPECT_EQ(__half2float(__float2half(65520.0f)), INFINITY);
     EXPECT_EQ(__half2float(__float2half_rz(1e6f)), 65504.0f);
     EXPECT_EQ(__half_as_ushort(__float2half(-2.0f)), 0xc000);
+    EXPECT_EQ(__half(__nv_bfloat16(1.5f)).bits, 0x3e00);
+    EXPECT_EQ(static_cast<__nv_bfloat16>(__half(-2.0f)).bits, 0xc000);
     EXPECT_EQ(__bfloat16_as_ushort(__float2bfloat16(1.0f)), 0x3f80);
     EXPECT_EQ(__half2int_rn(__float2half(2.5f)), 2);
     EXPECT_EQ(__half2float(__int2half_rn(2049)), 2048.0f);
