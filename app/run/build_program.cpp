@@ -6,6 +6,7 @@
 
 #include "app/run/compiler_errors.h"
 #include "app/run/process_words.h"
+#include "app/run/shared_limit.h"
 #include "common/cli/files.h"
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
@@ -66,9 +67,13 @@ class Builder {
         if (ending_of(source) == ".c") flags += " -std=gnu17 -x c"; // as nvcc: not C++
         flags += " -iquote " + in_quotes(place.parent_path().string());
         objects_ += " " + in_quotes((folder_ / object).string());
-        return run(
-            {"/bin/sh", "-c", flags + " -o " + in_quotes(object) + " -c " + in_quotes(to_compile)},
-            folder_);
+        if (!run({"/bin/sh", "-c",
+                  flags + " -o " + in_quotes(object) + " -c " + in_quotes(to_compile)},
+                 folder_))
+            return false;
+        const std::string errors = too_much_shared(folder_ / object, source);
+        words += errors;
+        return errors.empty();
     }
 
     bool link(const fs::path& program) {

@@ -1,4 +1,4 @@
-// expect: none error 7 too-much-shared-memory
+// expect: compile error 7 does-not-compile
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: none error 10 missing-fence
+// expect: watch error 10|16 race
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
