@@ -73,7 +73,11 @@ copy() { cp -P --parents -- "$@" "$new"; }
 # A shared library with all its names (libfmt.so -> libfmt.so.9 -> libfmt.so.9.1.0).
 lib=usr/lib/$(c++ -print-multiarch)
 mkdir -p "$new/$lib"
-library() { cp -P -- "${1%.so*}".so* "$new/$lib/"; }
+# The file itself may have a name of its own kind (libdw.so.1 -> libdw-0.188.so).
+library() {
+    cp -P -- "${1%.so*}".so* "$new/$lib/"
+    cp -n -- "$(readlink -f "$1")" "$new/$lib/"
+}
 # What a program loads, but for what comes with each compiler.
 loaded_by() {
     ldd "$1" | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p' |

@@ -9,8 +9,8 @@
 
 namespace raylab::app {
 
-// The sources that the inputs name: files as they are, of a folder every .cu, .cpp and .c in it. Throws
-// UsageError.
+// The sources that the inputs name: files as they are, of a folder every .cu, .cpp and .c in it.
+// Throws UsageError.
 std::vector<std::string> sources_of(const std::vector<std::string>& inputs);
 
 struct BuiltProgram {
