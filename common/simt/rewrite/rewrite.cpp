@@ -59,7 +59,7 @@ class Rewriter : Source {
     }
 
   private:
-    Edit replace(size_t first, size_t last, std::string text) const {
+    Edit replace(size_t first, size_t last, const std::string& text) const {
         size_t begin = tokens_[first].begin, length = tokens_[last].end() - begin;
         auto lines =
             std::count(source_.begin() + long(begin), source_.begin() + long(begin + length), '\n');
