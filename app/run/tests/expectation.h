@@ -1,12 +1,13 @@
 // What a file of the corpus says about itself, in its first line:
 //
 //     // expect: nothing
-//     // expect: nothing (yet KIND)       a false alarm that is known
+//     // expect: nothing (yet KIND)       a false alarm of the mode races that is known
 //     // expect: MODES SEVERITY LINES KIND; MODES SEVERITY LINES KIND ...
 //     // expect: plain,races error 9 shared-overrun; bounds error 9 out-of-bounds
 //
-// MODES: plain, bounds, races, order (of `raylab run --machine`), compile (it must not), or watch:
-// a finding that no mode makes yet. LINES: 8 or 8|9 (one of them), 0 for a finding without a line.
+// MODES: plain, watch, bounds, races, order (of `raylab run --machine`), compile (it must not), or
+// none: a finding that no mode makes yet. LINES: 8 or 8|9 (one of them), 0 for a finding without a
+// line.
 #pragma once
 
 #include "common/simt/finding.h"
@@ -28,7 +29,7 @@ struct Expected {
 struct CorpusFile {
     std::filesystem::path path;
     std::vector<Expected> expected; // empty: nothing may be found
-    std::string known_alarm;        // but this kind
+    std::string known_alarm;        // but this kind, in the mode races
     std::string name() const { return path.stem().string(); }
     bool expects(const std::string& mode) const;
 

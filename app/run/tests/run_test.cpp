@@ -3,11 +3,14 @@
 #include "app/run/output.h"
 #include "app/tests/shell.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace raylab::app {
 namespace {
@@ -54,6 +57,36 @@ TEST(Run, ForPrograms) {
                 HasSubstr("::error file=" + corpus + "w49_null_pointer.cu,line=6,col=62"));
     EXPECT_THAT(run(corpus + "w49_null_pointer.cu --sarif 2>/dev/null").text,
                 HasSubstr("\"startLine\": 6"));
+}
+
+// The row of a table of --machine memory that ends with a line of patterns.cu, its columns in
+// order.
+std::vector<std::string> row_of(const std::string& table, int line, const std::string& access) {
+    std::istringstream lines(table);
+    const std::string end = fmt::format("patterns.cu:{}:", line);
+    for (std::string row; std::getline(lines, row);) {
+        if (row.find(end) == row.npos || row.find(access) == row.npos) continue;
+        std::istringstream words(row);
+        return {std::istream_iterator<std::string>(words), {}};
+    }
+    return {};
+}
+
+TEST(Run, WhatAccessesCost) {
+    const std::string table =
+        run(RAYLAB_ROOT "/tests/machine/memory/patterns.cu --machine memory").text;
+    using testing::_;
+    using testing::ElementsAre;
+    // memory, access, requests, threads a warp, sectors a request, (least), line
+    EXPECT_THAT(row_of(table, 5, "read"),
+                ElementsAre("global", "read", "2", "32.0", "4.0", "(", "4.0)", _))
+        << table;
+    EXPECT_THAT(row_of(table, 9, "read"),
+                ElementsAre("global", "read", "1", "32.0", "32.0", "(", "4.0)", _));
+    EXPECT_THAT(row_of(table, 19, "write"),
+                ElementsAre("global", "write", "1", "16.0", "2.0", "(", "2.0)", _));
+    // memory, access, requests, threads a warp, bank conflicts, line
+    EXPECT_THAT(row_of(table, 13, "write"), ElementsAre("shared", "write", "1", "32.0", "31", _));
 }
 
 TEST(Run, WhatDoesNotCompile) {

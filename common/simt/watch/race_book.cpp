@@ -54,19 +54,17 @@ void RaceBook::settle_pending() {
 }
 
 const char* RaceBook::why_harmless(const Race& race) const {
-    const auto is = [&](Touch touch) {
-        return race.before.touch == touch || race.after.touch == touch;
-    };
-    const uint32_t reader = race.before_wrote ? race.after.site : race.before.site;
-    if (is(Touch::atomic) && is(Touch::plain) && !(race.before_wrote && race.after_wrote) &&
-        checked_.contains(reader))
+    const bool one_is_atomic = is_atomic(race.before.touch) || is_atomic(race.after.touch);
+    const bool one_reads = !(race.before_wrote && race.after_wrote);
+    const Access& reader = race.before_wrote ? race.after : race.before;
+    if (one_is_atomic && one_reads && !is_atomic(reader.touch) && checked_.contains(reader.site))
         return "the value read is checked again by atomicCAS()";
-    if (race.memory == Memory::shared && !(race.before_wrote && race.after_wrote)) return nullptr;
+    if (race.memory == Memory::shared && one_reads) return nullptr;
     if (race.before.touch == Touch::volatile_ && race.after.touch == Touch::volatile_ &&
         race.memory != Memory::shared)
         return "both accesses are volatile";
     // Zeros may be what all data of a test are.
-    if (race.one_value && race.value != 0 && !is(Touch::atomic))
+    if (race.one_value && race.value != 0 && !one_is_atomic)
         return "every store from there stores the same value";
     return nullptr;
 }

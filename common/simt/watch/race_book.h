@@ -26,7 +26,6 @@ struct Race {
     bool one_value = true; // so far
     bool has_value = false;
     uint64_t value = 0;
-    Task before_task = 0, after_task = 0;
 };
 
 class RaceBook {

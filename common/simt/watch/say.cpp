@@ -12,7 +12,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 #include <unordered_map>
 
 namespace raylab::simt::watch {
@@ -44,9 +43,6 @@ std::string near(uintptr_t address) {
     return "byte " + std::to_string(offset) + " of " + memory;
 }
 
-// In a launch; then it ends, as a GPU would have ended it earlier.
-constexpr int most_out_of_bounds = 1000;
-
 enum class Mapped { nothing, file, memory };
 
 // What the operating system has at an address.
@@ -62,7 +58,7 @@ Mapped mapped_at(uintptr_t address) {
 }
 
 const char* what_happened(bool wrote, Touch touch) {
-    if (touch == Touch::atomic) return "atomic operation";
+    if (is_atomic(touch)) return "atomic operation";
     return wrote ? "write" : "read";
 }
 
@@ -115,31 +111,29 @@ void say_out_of_bounds(uintptr_t address, unsigned bytes, bool writes, Pc pc, Me
     finding.actor = running_actor();
     finding.mode = "watch";
     if (memory == Memory::shared) {
-        finding.kind = "out-of-bounds-shared";
+        finding.kind = "shared-overrun";
         finding.message = std::string("the kernel ") + verb(writes) +
                           " dynamic shared memory beyond the " +
                           std::to_string(Watcher::get().launch().shared_bytes) +
                           " bytes that the launch asked for";
         finding.advice = "give the launch the number of bytes, not of elements: "
                          "k<<<grid, block, n * sizeof(float)>>>()";
-        return emit(finding);
-    }
-    const Allocation* nearest = Watcher::get().nearest(address);
-    if (nearest && nearest->is_freed && address - nearest->begin < nearest->bytes) {
+    } else if (const Allocation* nearest = Watcher::get().nearest(address);
+               nearest && nearest->is_freed && address - nearest->begin < nearest->bytes) {
         finding.kind = "use-after-free";
         finding.message =
             std::string("the kernel ") + verb(writes) + " memory that was freed, " + near(address);
         finding.advice = "call cudaFree() after the last kernel that uses the memory";
-        return emit(finding);
+    } else {
+        finding.kind = "out-of-bounds";
+        const std::string where = near(address);
+        finding.message = std::string("the kernel ") + verb(writes) + " " + std::to_string(bytes) +
+                          " bytes out of bounds" + (where.empty() ? "" : ", " + where);
+        finding.advice =
+            "let only threads with a valid index go on: if (i < n) ...; or allocate more";
     }
-    finding.kind = "out-of-bounds";
-    const std::string where = near(address);
-    finding.message = std::string("the kernel ") + verb(writes) + " " + std::to_string(bytes) +
-                      " bytes out of bounds" + (where.empty() ? "" : ", " + where);
-    finding.advice = "let only threads with a valid index go on: if (i < n) ...; or allocate more";
     emit(finding);
-    if (Watcher::get().count_out_of_bounds() >= most_out_of_bounds)
-        Watcher::get().stop_after(finding);
+    Watcher::get().count_out_of_bounds(finding);
 }
 
 Finding uninitialised(uintptr_t address, Pc pc, Memory memory) {

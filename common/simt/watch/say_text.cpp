@@ -13,7 +13,7 @@ namespace raylab::simt::watch {
 namespace {
 
 std::string advice_for(const Race& race, Meeting meeting) {
-    if (race.before.touch == Touch::atomic || race.after.touch == Touch::atomic)
+    if (is_atomic(race.before.touch) || is_atomic(race.after.touch))
         return "the value may change between the two: read it by an atomic operation too, or after "
                "the "
                "kernel, or behind a barrier";

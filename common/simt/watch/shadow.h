@@ -19,15 +19,19 @@ namespace raylab::simt::watch {
 
 using Pc = const void*; // the instruction behind an access
 
-enum class Touch : uint8_t { plain, volatile_, atomic };
+// How a place is touched. `swap`: by atomicCAS(), or an operation that the CPU machine makes of it.
+enum class Touch : uint8_t { plain, volatile_, atomic, swap };
+
+inline bool is_atomic(Touch touch) { return touch == Touch::atomic || touch == Touch::swap; }
 
 struct Access {
     Task task;
     Time time;
-    uint32_t site; // of sites(), 0: none
-    uint16_t launch;
-    Touch touch;
+    uint32_t launch;
+    uint32_t site : 24; // of RaceBook::site(), 0: none
+    Touch touch : 8;
 };
+static_assert(sizeof(Access) == 16, "a word of memory costs three of these");
 
 struct Word {
     Access writer{}, readers[2]{};

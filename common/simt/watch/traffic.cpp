@@ -26,6 +26,18 @@ size_t most_of_a_bank(std::vector<uintptr_t>& words) {
 
 } // namespace
 
+Traffic& Traffic::operator+=(const Traffic& other) {
+    memory = other.memory;
+    writes = other.writes;
+    bytes = other.bytes;
+    requests += other.requests;
+    lanes += other.lanes;
+    sectors += other.sectors;
+    wavefronts += other.wavefronts;
+    least_sectors += other.least_sectors;
+    return *this;
+}
+
 void TrafficCounter::add(uint32_t site, int thread, uintptr_t address, unsigned bytes, bool writes,
                          Memory memory) {
     Traffic& traffic = traffic_[site];
@@ -79,16 +91,7 @@ void add_traffic(const std::string& kernel, const std::map<SourcePlace, Traffic>
         });
         return new Kernels;
     }();
-    for (const auto& [place, t] : lines) {
-        Traffic& sum = (*kernels)[kernel][place];
-        const Traffic before = sum;
-        sum = t;
-        sum.requests += before.requests;
-        sum.lanes += before.lanes;
-        sum.sectors += before.sectors;
-        sum.wavefronts += before.wavefronts;
-        sum.least_sectors += before.least_sectors;
-    }
+    for (const auto& [place, traffic] : lines) (*kernels)[kernel][place] += traffic;
 }
 
 std::string traffic_table(const std::string& kernel, const std::map<SourcePlace, Traffic>& lines) {

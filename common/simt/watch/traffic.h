@@ -29,6 +29,7 @@ struct Traffic {
     std::uint64_t requests = 0, lanes = 0, sectors = 0, wavefronts = 0;
     std::uint64_t least_sectors = 0; // if the same bytes lay side by side
 
+    Traffic& operator+=(const Traffic& other);
     double sectors_per_request() const { return double(sectors) / double(requests); }
     double active_threads() const { return double(lanes) / double(requests); }
     std::uint64_t bank_conflicts() const { return wavefronts - requests; } // of shared memory

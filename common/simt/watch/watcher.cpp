@@ -23,26 +23,28 @@ extern "C" char __data_start, _end; // the linker's: of the variables of the pro
 
 uintptr_t round_down(uintptr_t address) { return address & ~uintptr_t(15); }
 
-// The calling worker's copy of the program's thread-local variables: static __shared__ variables
+// The calling thread's copy of the program's thread-local variables: static __shared__ variables
 // and a few of the engine.
-std::optional<Range> thread_local_range() {
-    struct Found {
-        uintptr_t begin = 0;
-        size_t bytes = 0;
-    } found;
+struct ThreadLocals {
+    uintptr_t begin = 0;
+    size_t bytes = 0;
+};
+ThreadLocals thread_locals() {
+    ThreadLocals found;
     dl_iterate_phdr(
         [](dl_phdr_info* info, size_t, void* result) {
             for (int i = 0; i < info->dlpi_phnum; ++i)
                 if (info->dlpi_phdr[i].p_type == PT_TLS)
-                    *static_cast<Found*>(result) = {uintptr_t(info->dlpi_tls_data),
-                                                    info->dlpi_phdr[i].p_memsz};
+                    *static_cast<ThreadLocals*>(result) = {uintptr_t(info->dlpi_tls_data),
+                                                           info->dlpi_phdr[i].p_memsz};
             return 1; // the program comes first; libraries do not matter
         },
         &found);
-    if (!found.begin || !found.bytes) return {};
-    const uintptr_t begin = round_down(found.begin);
-    return std::make_optional<Range>(begin, found.begin + found.bytes - begin, Memory::shared);
+    return {round_down(found.begin), found.begin + found.bytes - round_down(found.begin)};
 }
+
+// In a launch; then it ends, as a GPU would have ended it earlier.
+constexpr int most_out_of_bounds = 1000;
 
 } // namespace
 
@@ -103,15 +105,19 @@ void Watcher::begin_launch(const Launch& launch, bool prints) {
     prints_ = prints;
     out_of_bounds_ = 0;
     launch_ = &launch;
-    if (++launch_number_ == 0) ++launch_number_; // 0: never
+    ++launch_number_;
     clock_.begin_launch();
-    if (!statics_) {
-        statics_ = thread_local_range();
-        if (statics_) statics_->allowed.set(0, statics_->bytes, true);
+    auto found = statics_of_.find(&threadIdx);
+    if (found == statics_of_.end()) {
+        const ThreadLocals locals = thread_locals();
+        found =
+            statics_of_.try_emplace(&threadIdx, locals.begin, locals.bytes, Memory::shared).first;
+        Range& range = found->second;
+        range.allowed.set(0, range.bytes, true);
         for (const auto& [variable, bytes] : engine_variables())
-            if (statics_)
-                statics_->allowed.set(uintptr_t(variable) - statics_->begin, bytes, false);
+            range.allowed.set(uintptr_t(variable) - range.begin, bytes, false);
     }
+    statics_ = &found->second;
 }
 
 // For each kernel, over all of its launches.
@@ -119,7 +125,7 @@ void Watcher::note_traffic() {
     traffic_.end_block();
     std::map<SourcePlace, Traffic> lines;
     for (const auto& [site, traffic] : traffic_.by_site())
-        lines[place_of(races_.pc(site))] = traffic;
+        lines[place_of(races_.pc(site))] += traffic; // a line may be compiled more than once
     if (!lines.empty()) add_traffic(launch_->kernel, lines);
     traffic_.clear();
 }
@@ -162,13 +168,17 @@ void Watcher::stop_after(const Finding& finding) {
     current_block->give_up(stopped_by_, cudaErrorIllegalAddress);
 }
 
+void Watcher::count_out_of_bounds(const Finding& finding) {
+    if (++out_of_bounds_ >= most_out_of_bounds) stop_after(finding);
+}
+
 void Watcher::fence() {
     if (thread_ >= 0) clock_.fence(thread_);
 }
 
 Range* Watcher::range_of(uintptr_t address) {
     if (arena_.has(address)) return &arena_;
-    if (statics_ && statics_->has(address)) return &*statics_;
+    if (statics_ && statics_->has(address)) return statics_;
     if (dynamic_ && dynamic_->has(address)) return dynamic_;
     if (symbols_.has(address)) return &symbols_;
     return nullptr;
@@ -183,12 +193,19 @@ bool Watcher::is_on_a_stack(uintptr_t address) {
     return true;
 }
 
-void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
-    if (address - stack_.first < stack_.second) return; // the kernel's own variables
-    if (thread_ < 0) {
-        if (!current_block && arena_.has(address)) say_host_access(address, writes, pc);
+void Watcher::access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
+    if (!current_block) { // host code, of whatever thread of the operating system
+        if (arena_.has(address)) say_host_access(address, writes, pc);
         return;
     }
+    if (thread_ < 0 || is_busy_ || address - stack_.first < stack_.second) return;
+    is_busy_ = true;
+    look(address, bytes, writes, touch, pc);
+    is_busy_ = false;
+}
+
+// What the running thread does.
+void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
     Range* found = range_of(address);
     if (!found) {
         if (!is_on_a_stack(address)) say_strange_address(address, writes, pc);
@@ -196,11 +213,10 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
     }
     Range& range = *found;
     const uintptr_t offset = address - range.begin, end = offset + bytes;
-    const bool is_static = statics_ && found == &*statics_;
-    if (is_static && !range.allowed.of_word(offset / 4))
+    if (found == statics_ && !range.allowed.of_word(offset / 4))
         return; // the engine's: threadIdx and its kin
     races_.settle();
-    const Access me{clock_.task(thread_), clock_.now(thread_), races_.site(pc), launch_number_,
+    const Access me{clock_.task(thread_), clock_.now(thread_), launch_number_, races_.site(pc),
                     touch};
     if (counts_traffic_) traffic_.add(me.site, thread_, address, bytes, writes, range.memory);
     bool all_unwritten = true;
@@ -208,9 +224,8 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
         unsigned mask = 15;
         if (word * 4 < offset) mask &= 15u << (offset - word * 4);
         if (end < word * 4 + 4) mask &= (1u << (end - word * 4)) - 1;
-        if (mask & ~range.allowed.of_word(word)) {
+        if (mask & ~range.allowed.of_word(word))
             return say_out_of_bounds(address, bytes, writes, pc, range.memory);
-        }
         if (mask & range.written.of_word(word)) all_unwritten = false;
         if (writes) range.written.add(word, mask);
         Word& whole = range.words[word];
@@ -224,10 +239,10 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
         }
     }
     if (touch != Touch::plain) {
-        if (!writes || touch == Touch::atomic) clock_.pick_up(thread_, address);
+        if (!writes || is_atomic(touch)) clock_.pick_up(thread_, address);
         if (writes) clock_.publish(thread_, address);
     }
-    if (all_unwritten && (!writes || touch == Touch::atomic)) {
+    if (all_unwritten && (!writes || is_atomic(touch))) {
         if (!uninitialised_.contains(me.site))
             uninitialised_.emplace(me.site, uninitialised(address, pc, range.memory));
         range.written.set(offset, bytes, true); // said once
@@ -244,16 +259,16 @@ void Watcher::check(Range& range, Word& word, const Access& me, bool writes, uin
                     unsigned bytes) {
     const auto races_with = [&](const Access& before) {
         return is_current(range, before) && before.task != me.task &&
-               !(before.touch == Touch::atomic && me.touch == Touch::atomic) &&
+               !(is_atomic(before.touch) && is_atomic(me.touch)) &&
                !clock_.knows(thread_, before.task, before.time);
     };
     if (races_with(word.writer)) conflict(range, word.writer, true, me, writes, address, bytes);
     if (!writes) {
-        insert_reader(word, me);
+        insert_reader(range, word, me);
         return;
     }
     for (Access& reader : word.readers) {
-        if (is_current(range, reader) && reader.task == me.task && me.touch == Touch::atomic)
+        if (is_current(range, reader) && reader.task == me.task && me.touch == Touch::swap)
             races_.checked_by_cas(reader.site);
         if (races_with(reader)) conflict(range, reader, false, me, writes, address, bytes);
         reader = {};
@@ -261,10 +276,10 @@ void Watcher::check(Range& range, Word& word, const Access& me, bool writes, uin
     word.writer = me;
 }
 
-void Watcher::insert_reader(Word& word, const Access& me) {
+void Watcher::insert_reader(const Range& range, Word& word, const Access& me) {
     Access &first = word.readers[0], &second = word.readers[1];
     const auto replaceable = [&](const Access& old) {
-        return !old.site || old.launch != launch_number_ || old.task == me.task ||
+        return !is_current(range, old) || old.task == me.task ||
                (clock_.block_of(old.task) == clock_.block() &&
                 clock_.knows(thread_, old.task, old.time));
     };

@@ -17,7 +17,6 @@
 #include "common/simt/where.h"
 
 #include <map>
-#include <optional>
 
 namespace raylab::simt::watch {
 
@@ -39,7 +38,7 @@ class Watcher {
     void begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes);
     void go_on(int thread) {
         thread_ = launch_ ? thread : -1;
-    }                              // a cooperative launch is not watched
+    }                              // cooperative launches are not watched
     void pause() { thread_ = -1; } // until go_on(): the engine or host code runs
     void barrier() {
         if (launch_) clock_.barrier();
@@ -57,16 +56,14 @@ class Watcher {
     void add_stack(const void* bottom, size_t bytes);
 
     // What the compiler's calls tell. `pc`: behind the access, in the student's code.
-    void access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
-        if (is_busy_) return;
-        is_busy_ = true;
-        look(address, bytes, writes, touch, pc);
-        is_busy_ = false;
-    }
+    void access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
+
     // Ends the launch, with cudaErrorIllegalAddress; does not come back.
     [[noreturn]] void stop_after(const Finding& finding);
     bool has_told(const std::string& report) const { return report == stopped_by_; }
-    int count_out_of_bounds() { return ++out_of_bounds_; }
+    // Counts an access out of bounds; ends the launch after many, since a loop may run there for
+    // ever.
+    void count_out_of_bounds(const Finding& finding);
 
     bool in_kernel() const { return thread_ >= 0; }
     int thread() const { return thread_; } // that runs, by number
@@ -84,7 +81,7 @@ class Watcher {
     void check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
                unsigned bytes);
     bool is_current(const Range& range, const Access& access) const;
-    void insert_reader(Word& word, const Access& me);
+    void insert_reader(const Range& range, Word& word, const Access& me);
     void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
                   bool writes, uintptr_t address, unsigned bytes);
 
@@ -93,20 +90,22 @@ class Watcher {
     BlockClock clock_;
     RaceBook races_;
     const Launch* launch_ = nullptr;
-    uint16_t launch_number_ = 0;
+    uint32_t launch_number_ = 0;
     int thread_ = -1;
     bool prints_ = true;
-    // Functions of the library that both the watch and the kernel use may be the kernel's, calls
-    // and all.
+    // The watch is at work. The linker keeps one copy of a library's template, say of std::map, and
+    // it may be the kernel's, which calls the watch: such calls are not the kernel's accesses.
     bool is_busy_ = false;
     std::string stopped_by_ = "nothing";        // the text of the finding
     int out_of_bounds_ = 0;                     // in this launch
     std::map<uint32_t, Finding> uninitialised_; // by site
 
-    size_t used_;                  // of the arena
-    Range arena_;                  // what allocate() gives
-    Range symbols_;                // variables of the program
-    std::optional<Range> statics_; // static __shared__ variables of the worker
+    size_t used_;   // of the arena
+    Range arena_;   // what allocate() gives
+    Range symbols_; // variables of the program
+    std::map<const void*, Range>
+        statics_of_;           // static __shared__ variables, by &threadIdx of the worker
+    Range* statics_ = nullptr; // of the worker that runs
     std::map<uintptr_t, Allocation> allocations_;
     std::map<uintptr_t, Range> dynamics_; // dynamic shared memory, by its first address
     Range* dynamic_ = nullptr;            // the block's
