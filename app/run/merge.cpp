@@ -17,9 +17,8 @@ namespace {
 // mode with the bounds knows it best.
 bool is_about_an_address(const std::string& kind) {
     static const std::set<std::string> kinds = {
-        "null-pointer",         "wild-address",        "out-of-bounds", "use-after-free",
-        "out-of-bounds-shared", "index-out-of-bounds", "host-memory",   "shared-overrun",
-        "local-overrun",        "freed-pointer",       "misaligned"};
+        "null-pointer", "wild-address",   "out-of-bounds", "use-after-free", "index-out-of-bounds",
+        "host-memory",  "shared-overrun", "local-overrun", "freed-pointer",  "misaligned"};
     return kinds.count(kind) > 0;
 }
 

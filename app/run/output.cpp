@@ -3,6 +3,7 @@
 
 #include "app/run/process_words.h"
 #include "common/cli/progress.h"
+#include "common/simt/finding_text.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 namespace raylab::app {
 
 using simt::Finding;
+using simt::in_words;
 using simt::Severity;
 
 namespace {
@@ -25,32 +27,6 @@ std::string human_bytes(std::uint64_t bytes) {
     if (bytes < 10240) return plural(bytes, "byte");
     if (bytes < (10u << 20)) return fmt::format("{} KiB", bytes >> 10);
     return fmt::format("{} MiB", bytes >> 20);
-}
-
-std::string triple(const simt::Index3& index) {
-    return fmt::format("({},{},{})", index[0], index[1], index[2]);
-}
-
-std::string other_end(const Finding& finding) {
-    const Finding::Other& other = *finding.other;
-    const bool same = other.place == finding.place;
-    std::string text = same ? "other end: this line too" : "other end: " + in_words(other.place);
-    if (!other.what.empty()) text += ", " + other.what;
-    const std::string who = in_words(other.actor);
-    return who.empty() ? text : text + ", by " + who;
-}
-
-std::string to_text(const Finding& finding) {
-    std::string text = fmt::format("{}: {}: {}\n", in_words(finding.place), name(finding.severity),
-                                   finding.message);
-    const auto add = [&text](const std::string& line) {
-        if (!line.empty()) text += "    " + line + "\n";
-    };
-    add(in_words(finding.actor));
-    if (finding.other) add(other_end(finding));
-    if (!finding.advice.empty()) add("to mend it: " + finding.advice);
-    if (finding.count > 1) add(fmt::format("seen {} times", finding.count));
-    return text;
 }
 
 // How a program ended that has no finding to say so.
@@ -86,21 +62,6 @@ std::string escaped(const std::string& text, bool is_property) {
 
 } // namespace
 
-std::string in_words(const simt::SourcePlace& place) {
-    std::string text = place.file.empty() ? "(no line is known)" : place.file;
-    if (place.line > 0) text += fmt::format(":{}", place.line);
-    if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
-    return text;
-}
-
-std::string in_words(const simt::Actor& actor) {
-    std::string text;
-    if (!actor.kernel.empty()) text = "kernel " + actor.kernel;
-    if (actor.block) text += (text.empty() ? "block " : ", block ") + triple(*actor.block);
-    if (actor.thread) text += (text.empty() ? "thread " : ", thread ") + triple(*actor.thread);
-    return text;
-}
-
 std::string what_was_checked(const Execution& execution) {
     std::string text = execution.mode;
     if (execution.mode == "order") text += " (forward, reverse and random)";
@@ -116,7 +77,7 @@ std::string what_was_checked(const Execution& execution) {
 
 std::string to_text(const Result& result) {
     std::string text;
-    for (const Finding& finding : result.findings) text += to_text(finding);
+    for (const Finding& finding : result.findings) text += simt::to_text(finding);
     if (result.executions.empty())
         return result.findings.empty() ? last_lines(result.compiler) + "does not compile\n"
                                        : text + "does not compile: nothing was run\n";
@@ -139,7 +100,7 @@ std::string to_github(const Result& result) {
         const char* level = finding.severity == Severity::note ? "notice" : name(finding.severity);
         std::string words = finding.message;
         for (const std::string& more :
-             {in_words(finding.actor), finding.other ? other_end(finding) : std::string(),
+             {in_words(finding.actor), finding.other ? simt::other_end(finding) : std::string(),
               finding.advice.empty() ? std::string() : "to mend it: " + finding.advice})
             if (!more.empty()) words += "\n" + more;
         std::string where = "file=" + escaped(finding.place.file, true);

@@ -17,12 +17,6 @@ std::string to_json(const Result& result);   // one object
 std::string to_sarif(const Result& result);  // SARIF 2.1.0
 std::string to_github(const Result& result); // annotations of a workflow
 
-// "f.cu:8:5"
-std::string in_words(const simt::SourcePlace& place);
-
-// "kernel k, block (0,0,0), thread (3,0,0)"
-std::string in_words(const simt::Actor& actor);
-
 // What was looked at, in one line: "plain: 1 launch, 64 threads, 2 KiB allocated".
 std::string what_was_checked(const Execution& execution);
 

@@ -1,5 +1,6 @@
 // The report for programs: as it is, and as SARIF 2.1.0 (docs.oasis-open.org/sarif).
 #include "app/run/output.h"
+#include "common/simt/finding_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// How a kernel's mistakes leave a block; see block.h. (Barriers and masks: block.cpp.)
+// How a kernel's mistakes leave a block; see block.h. (Barriers and masks: report.cpp.)
 #include "common/simt/engine/block.h"
 
 #include "common/simt/engine/findings.h"

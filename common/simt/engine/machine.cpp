@@ -4,11 +4,11 @@
 #include "common/simt/api/kernels.h"
 #include "common/simt/engine/cooperative.h"
 #include "common/simt/engine/findings.h"
-#include "common/simt/engine/launch_watch.h"
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/registered.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/engine/sanitizer_reports.h"
+#include "common/simt/engine/watchdog.h"
 #include "common/simt/engine/workers.h"
 #include "common/simt/watch/events.h"
 
@@ -264,7 +264,7 @@ void run(const Launch& launch, void (*thread_main)(const void*), const void* arg
     auto finished = std::make_unique<char>();
     Work work{launch, thread_main, arguments, finished.get()};
     DeviceAccess access;
-    LaunchWatch launch_watch;
+    TimedLaunch timed;
     Workers::KernelFault fault;
     if (launch.cooperative) {
         fault = run_cooperative(work, machine().options);

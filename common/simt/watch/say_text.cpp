@@ -2,6 +2,7 @@
 
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/where_is.h"
+#include "common/simt/finding_text.h"
 #include "common/simt/watch/watcher.h"
 
 #include <cstdio>
@@ -31,23 +32,6 @@ std::string advice_for(const Race& race, Meeting meeting) {
            "other";
 }
 
-std::string place_text(const SourcePlace& place) {
-    if (place.file.empty()) return "(no line is known)";
-    return place.file + ":" + std::to_string(place.line) +
-           (place.column ? ":" + std::to_string(place.column) : "");
-}
-
-std::string index_text(const Index3& i) {
-    return "(" + std::to_string(i[0]) + "," + std::to_string(i[1]) + "," + std::to_string(i[2]) +
-           ")";
-}
-
-std::string actor_text(const Actor& actor) {
-    if (!actor.block || !actor.thread) return "host code";
-    return "kernel " + actor.kernel + ", block " + index_text(*actor.block) + ", thread " +
-           index_text(*actor.thread);
-}
-
 std::string between(Meeting meeting) {
     switch (meeting) {
     case Meeting::lanes:
@@ -73,16 +57,6 @@ std::string memory_name(Memory memory) {
 }
 
 } // namespace
-
-// Looks as the engine's own reports (engine/report.h).
-std::string to_text(const Finding& finding) {
-    std::string text = place_text(finding.place) + ": " + name(finding.severity) + ": " +
-                       finding.message + "\n  " + actor_text(finding.actor);
-    if (finding.other)
-        text += "\n  " + place_text(finding.other->place) + ": " + finding.other->what + " by " +
-                actor_text(finding.other->actor);
-    return text + "\n  to do: " + finding.advice;
-}
 
 RaceWords race_words(const Race& race, Meeting meeting, bool same_place, const char* harmless) {
     const std::string where = memory_name(race.memory), who = between(meeting);
@@ -124,7 +98,7 @@ void emit(const Finding& finding) {
     const int before = said[{finding.kind, finding.place, other}]++;
     if (before < 100) record(finding); // folded by who reads them
     if (before || !Watcher::get().prints()) return;
-    std::fputs((to_text(finding) + "\n").c_str(), stderr);
+    std::fputs(to_text(finding).c_str(), stderr);
 }
 
 } // namespace raylab::simt::watch

@@ -22,7 +22,4 @@ SourcePlace place_of(Pc pc);
 // Writes it to stderr and records it, each place once; further ones are counted.
 void emit(const Finding& finding);
 
-// As it is written to stderr, without its line break.
-std::string to_text(const Finding& finding);
-
 } // namespace raylab::simt::watch

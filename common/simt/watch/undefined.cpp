@@ -31,7 +31,7 @@ extern "C" {
 
 void __ubsan_handle_out_of_bounds(void* data, uintptr_t index) {
     const auto& d = *static_cast<const OutOfBoundsData*>(data);
-    say("local-overrun", d.location,
+    say("index-out-of-bounds", d.location,
         "index " + std::to_string(std::intptr_t(index)) + " is out of bounds of an array of type " +
             d.array->name,
         "an array of n elements has the indices 0 to n - 1, in each of its dimensions");

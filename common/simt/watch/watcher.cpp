@@ -1,6 +1,7 @@
 #include "common/simt/watch/watcher.h"
 
 #include "common/simt/engine/block.h"
+#include "common/simt/finding_text.h"
 #include "common/simt/watch/say.h"
 #include "common/simt/watch/say_text.h"
 

@@ -1,4 +1,4 @@
-// expect: plain,races,order error 9 shared-overrun; bounds error 9 out-of-bounds; watch error 9 out-of-bounds-shared
+// expect: plain,races,order error 9 shared-overrun; bounds error 9 out-of-bounds; watch error 9 shared-overrun
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

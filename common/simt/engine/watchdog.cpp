@@ -1,9 +1,9 @@
-// The watchdog; see launch_watch.h.
+// The watchdog; see watchdog.h.
 //
 // A thread of its own looks at the clock. When the time is up it sends a signal to the worker,
 // whose handler writes down where it was and then stands still, so that the report can be made in
 // peace. ThreadSanitizer may hold the signal back; then the report names the launch instead.
-#include "common/simt/engine/launch_watch.h"
+#include "common/simt/engine/watchdog.h"
 
 #include "common/simt/engine/block.h"
 #include "common/simt/engine/findings.h"
@@ -65,7 +65,7 @@ void stand_still(int signal, siginfo_t* information, void* context) {
     std::_Exit(1);
 }
 
-[[noreturn]] void watch(double limit) {
+[[noreturn]] void look_at_the_clock(double limit) {
     for (;;) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         std::lock_guard lock(watchdog().mutex);
@@ -77,8 +77,8 @@ void stand_still(int signal, siginfo_t* information, void* context) {
 }
 
 // Starts the thread, at the first launch.
-bool is_watching() {
-    static const bool watching = [] {
+bool has_limit() {
+    static const bool has = [] {
         const char* text = std::getenv("RAYLAB_TIME_LIMIT");
         const double limit = text ? std::atof(text) : 0;
         if (limit <= 0) return false;
@@ -87,10 +87,10 @@ bool is_watching() {
         action.sa_flags = SA_SIGINFO | SA_ONSTACK;
         sigemptyset(&action.sa_mask);
         sigaction(interrupting, &action, nullptr);
-        std::thread(watch, limit).detach();
+        std::thread(look_at_the_clock, limit).detach();
         return true;
     }();
-    return watching;
+    return has;
 }
 
 } // namespace
@@ -105,15 +105,15 @@ void strike_off(Block& block) {
     std::erase(watchdog().blocks, &block);
 }
 
-LaunchWatch::LaunchWatch() {
-    if (!is_watching()) return;
+TimedLaunch::TimedLaunch() {
+    if (!has_limit()) return;
     std::lock_guard lock(watchdog().mutex);
     watchdog().running = true;
     watchdog().since = Clock::now();
 }
 
-LaunchWatch::~LaunchWatch() {
-    if (!is_watching()) return;
+TimedLaunch::~TimedLaunch() {
+    if (!has_limit()) return;
     std::lock_guard lock(watchdog().mutex);
     watchdog().running = false;
 }

@@ -11,12 +11,12 @@ void strike_off(Block& block);
 
 // While one lives, a launch is running. After the seconds that the environment names in
 // RAYLAB_TIME_LIMIT the program is ended, with a report; without a limit nothing happens.
-class LaunchWatch {
+class TimedLaunch {
   public:
-    LaunchWatch();
-    ~LaunchWatch();
-    LaunchWatch(const LaunchWatch&) = delete;
-    LaunchWatch& operator=(const LaunchWatch&) = delete;
+    TimedLaunch();
+    ~TimedLaunch();
+    TimedLaunch(const TimedLaunch&) = delete;
+    TimedLaunch& operator=(const TimedLaunch&) = delete;
 };
 
 } // namespace raylab::simt
