@@ -62,9 +62,9 @@ void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
     json->excludes(sarif)->excludes(github);
     sarif->excludes(github);
     app.add_flag("--raw", options.raw, "show what the sanitizers wrote, too");
-    app.add_option("--time-limit", options.time_limit,
-                   "seconds for the program (bounds: 3 times as "
-                   "many, races: 6 times)")
+    app.add_option(
+           "--time-limit", options.time_limit,
+           "seconds for the program (bounds: 3 times as many; watch and races: 6; memory: 12)")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
     app.add_option("--keep", options.keep, "keep what was compiled in this folder");
