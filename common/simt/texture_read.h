@@ -1,4 +1,7 @@
 // Reading textures and surfaces, apart from the types of texels (api/texture_fetch.h).
+//
+// An Image lies in host memory, which no kernel may read. So only the engine reads it, whose loads
+// the watch does not see: no function here that does is inline.
 #pragma once
 
 #include "common/simt/api/texture.h"
@@ -13,20 +16,17 @@ struct Image {
     cudaChannelFormatDesc channels;
     cudaTextureDesc description;
     bool layered;
-    int texel_bytes() const { return (channels.x + channels.y + channels.z + channels.w) / 8; }
+    int texel_bytes() const;
 };
 inline const Image& image_of(unsigned long long object) {
     return *reinterpret_cast<const Image*>(object);
 }
 
 // The texel's address, or null outside of the image.
-inline char* texel(const Image& image, int x, int y, int z) {
-    if (unsigned(x) >= unsigned(image.extent[0]) || unsigned(y) >= unsigned(image.extent[1]) ||
-        unsigned(z) >= unsigned(image.extent[2]))
-        return nullptr;
-    return image.data + size_t(z) * image.layer + size_t(y) * image.row +
-           size_t(x) * size_t(image.texel_bytes());
-}
+char* texel(const Image& image, int x, int y, int z);
+
+// The address in a surface, where x counts bytes; null outside, unless the place is clamped.
+char* surface_texel(const Image& image, int x_bytes, int y, int z, bool clamped);
 
 // The texel that holds a point, or a mixture of those around it, as floats. Coordinates that the
 // texture lacks are 0; `layer` chooses one of a layered array.

@@ -45,14 +45,7 @@ inline T fetch(cudaTextureObject_t object, int dimensions, float x, float y, flo
 // The bytes of a surface's texel; x counts bytes.
 inline char* surface_texel(cudaSurfaceObject_t object, int x_bytes, int y, int z,
                            cudaSurfaceBoundaryMode mode) {
-    const Image& image = image_of(object);
-    int x = x_bytes >= 0 ? x_bytes / image.texel_bytes() : -1;
-    if (mode == cudaBoundaryModeClamp) {
-        x = std::clamp(x, 0, image.extent[0] - 1);
-        y = std::clamp(y, 0, image.extent[1] - 1);
-        z = std::clamp(z, 0, image.extent[2] - 1);
-    }
-    char* address = texel(image, x, y, z);
+    char* address = surface_texel(image_of(object), x_bytes, y, z, mode == cudaBoundaryModeClamp);
     if (!address && mode == cudaBoundaryModeTrap)
         trap(RAYLAB_SITE("an access outside of a surface"));
     return address;

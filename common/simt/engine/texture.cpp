@@ -92,6 +92,26 @@ cudaError_t no_texture(const Where& where, const std::string& what) {
 
 } // namespace
 
+int Image::texel_bytes() const { return (channels.x + channels.y + channels.z + channels.w) / 8; }
+
+char* texel(const Image& image, int x, int y, int z) {
+    if (unsigned(x) >= unsigned(image.extent[0]) || unsigned(y) >= unsigned(image.extent[1]) ||
+        unsigned(z) >= unsigned(image.extent[2]))
+        return nullptr;
+    return image.data + size_t(z) * image.layer + size_t(y) * image.row +
+           size_t(x) * size_t(image.texel_bytes());
+}
+
+char* surface_texel(const Image& image, int x_bytes, int y, int z, bool clamped) {
+    int x = x_bytes >= 0 ? x_bytes / image.texel_bytes() : -1;
+    if (clamped) {
+        x = std::clamp(x, 0, image.extent[0] - 1);
+        y = std::clamp(y, 0, image.extent[1] - 1);
+        z = std::clamp(z, 0, image.extent[2] - 1);
+    }
+    return texel(image, x, y, z);
+}
+
 Texel decode(const Image& image, const char* address) {
     Texel result{};
     const int bits[] = {image.channels.x, image.channels.y, image.channels.z, image.channels.w};
