@@ -7,6 +7,7 @@ namespace raylab::app {
 
 Run add_demo(CLI::App& app);
 Run add_render(CLI::App& app);
+Run add_debug(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_bench(CLI::App& app);
 Run add_bench_rays(CLI::App& app);

@@ -21,7 +21,7 @@ constexpr Command commands[] = {
     {"demo", add_demo},           {"render", add_render},         {"compare", add_compare},
     {"bench", add_bench},         {"bench-rays", add_bench_rays}, {"rare-cases", add_rare_cases},
     {"reference", add_reference}, {"scenes", add_scenes},         {"export", add_export},
-    {"import", add_import},
+    {"import", add_import},       {"debug", add_debug},
 };
 
 // Parses the command line and runs the command. Errors of parsing return 2; main() handles what a

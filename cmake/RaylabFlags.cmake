@@ -36,7 +36,12 @@ endif()
 set(RAYLAB_VARIANTS all CACHE STRING "kernel variants: all, or one that compiles fast")
 set_property(CACHE RAYLAB_VARIANTS PROPERTY STRINGS all one)
 
+option(RAYLAB_STOPS "For gdb: paths call a function where the debugger stops (common/sampling/path_stop.h)" OFF)
+
 add_library(raylab_flags INTERFACE)
+if(RAYLAB_STOPS)
+    target_compile_definitions(raylab_flags INTERFACE RAYLAB_STOPS)
+endif()
 if(RAYLAB_VARIANTS STREQUAL "one")
     target_compile_definitions(raylab_flags INTERFACE RAYLAB_ONE_VARIANT)
 endif()

@@ -30,12 +30,6 @@ bool is_source(const fs::path& file) {
            ending == ".c";
 }
 
-std::string in_quotes(const std::string& word) { // for the shell
-    std::string text = "'";
-    for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 std::string before(const std::string& command, const std::string& word) {
     return command.substr(0, command.find(word));
 }

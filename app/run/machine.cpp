@@ -79,6 +79,7 @@ const Mode& mode_named(const std::string& name) {
         {"bounds", "check", debug + " -O1 -fsanitize-recover=undefined", 3},
         {"watch", "watch", debug + " -O1", 6},
         {"races", "check-threads", debug + " -O1", 6},
+        {"gdb", "cpu", " -UNDEBUG -O0 -g -w -Wno-error", 1, "plain"},
         {"memory", "watch", debug + " -O1", 12, "watch"},
     };
     for (const Mode& mode : modes)

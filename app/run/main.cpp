@@ -1,5 +1,6 @@
 // raylab-run: the program behind `raylab run`. It links no lab, and works while a lab does not
 // compile.
+#include "app/run/debug.h"
 #include "app/run/run.h"
 #include "common/cli/files.h"
 #include "common/cli/interrupt.h"
@@ -19,6 +20,7 @@ constexpr const char* examples =
     "  raylab run reduce.cu\n"
     "  raylab run reduce.cu --machine all         every mistake that the machine knows\n"
     "  raylab run main.cu kernels.cu --include ../common -- 1024 input.txt\n"
+    "  raylab run reduce.cu --gdb                 look inside: common/simt/debugging.md\n"
     "  raylab run assignment/ --machine races --sarif > races.sarif\n"
     "Machines: plain (fast: crashes, barriers, masks, endless loops), watch (every load and store "
     "of a\n"
@@ -61,6 +63,8 @@ void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
         app.add_flag("--github", formats.github, "print annotations of a GitHub workflow");
     json->excludes(sarif)->excludes(github);
     sarif->excludes(github);
+    app.add_flag("--gdb", options.gdb, "start gdb with the program, stopped at its beginning")
+        ->excludes("--machine");
     app.add_flag("--raw", options.raw, "show what the sanitizers wrote, too");
     app.add_option(
            "--time-limit", options.time_limit,
@@ -96,6 +100,7 @@ int run_command(int argc, char** argv) {
                          " compares all orders: leave one of them out");
     const Tree tree = {RAYLAB_ROOT};
     expect_own_tree(RAYLAB_PROGRAM_FILE, tree.root);
+    if (options.gdb) return debug(tree, options);
     const Result result = app::run(tree, options);
     const auto print = options.format == Format::json    ? to_json
                        : options.format == Format::sarif ? to_sarif

@@ -17,6 +17,7 @@ struct RunOptions {
     unsigned long long seed = 1;     // of the order random
     std::vector<std::string> include_folders, defines;
     Format format = Format::text;
+    bool gdb = false;                   // start the debugger instead
     bool raw = false;                   // show what the sanitizers wrote
     double time_limit = 20;             // seconds
     std::string keep;                   // a folder for what was compiled; empty: removed

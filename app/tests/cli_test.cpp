@@ -16,6 +16,14 @@ TEST_F(Cli, RendersALegalScene) {
     }
 }
 
+TEST_F(Cli, OnlyTheBuildForGdbStopsAtAPath) {
+    write_scene("s.json");
+    const Outcome outcome = raylab("debug 02 " + in("s.json") + " --pixel 1,1");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.text, testing::HasSubstr("cannot stop at a path"));
+    EXPECT_EQ(raylab("debug 02 " + in("s.json")).code, 2);
+}
+
 TEST_F(Cli, WrongScenesAreRefusedWithTheirPlace) {
     const struct {
         std::string from, to;

@@ -7,6 +7,7 @@
 
 #include "common/math/vec.h"
 #include "common/sampling/hash.h"
+#include "common/sampling/path_stop.h"
 #include "common/sampling/sampler_kind.h"
 #include "common/sampling/sobol.h"
 
@@ -38,6 +39,17 @@ struct BounceNumbers {
     float lobe, roulette;
 };
 
+HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t decision) {
+    return dimension::first_bounce + dimension::per_bounce * bounce + decision;
+}
+
+// The bounce that takes this pair; camera_ray_stop for those of the film and the lens.
+HD constexpr int bounce_of(std::uint32_t pair) {
+    return pair < dimension::first_bounce
+               ? camera_ray_stop
+               : static_cast<int>((pair - dimension::first_bounce) / dimension::per_bounce);
+}
+
 struct Sampler {
     SamplerKind kind;
     std::uint32_t seed;
@@ -47,6 +59,7 @@ struct Sampler {
     // Two numbers in [0, 1), never 1. Sobol: the key chooses a sequence, the sample's number is the
     // place in it. Independent: the number is part of the key.
     HD_HOT Vec2 get_2d(std::uint32_t pair) const {
+        path_is_at(pixel, sample, bounce_of(pair));
         const bool sobol = kind == SamplerKind::sobol;
         const Words key = pcg4d({seed, pixel, pair, sobol ? 0 : sample});
         if (!sobol) return Vec2(to_unit(key.x), to_unit(key.y));
@@ -63,14 +76,12 @@ struct Sampler {
 // Where in its pixel a camera ray goes through, in [0, 1)^2: a random point if jitter is on, else
 // the middle.
 HD Vec2 film_point(bool jitter, const Sampler& sampler) {
+    path_is_at(sampler.pixel, sampler.sample, camera_ray_stop);
     return jitter ? sampler.get_2d(dimension::film) : Vec2(0.5f);
 }
 
-HD constexpr std::uint32_t bounce_dimension(std::uint32_t bounce, std::uint32_t decision) {
-    return dimension::first_bounce + dimension::per_bounce * bounce + decision;
-}
-
 HD_HOT BounceNumbers Sampler::get_bounce(std::uint32_t bounce) const {
+    path_is_at(pixel, sample, static_cast<int>(bounce));
     const std::uint32_t first = bounce_dimension(bounce, 0);
     Vec2 u[dimension::per_bounce];
     if (kind == SamplerKind::sobol) {

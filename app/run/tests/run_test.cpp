@@ -50,6 +50,19 @@ TEST(Run, AMistakeHasItsLineThreadAndAdvice) {
     EXPECT_THAT(outcome.text, HasSubstr("to mend it: allocate"));
 }
 
+TEST(Run, TheDebuggerStopsInAKernel) {
+    if (run_in_shell("gdb --version").code != 0) GTEST_SKIP() << "gdb is not installed";
+    const fs::path commands = fs::path(testing::TempDir()) / "raylab_gdb_commands";
+    std::ofstream(commands) << "tbreak k if $threadIdx(\"x\") == 9 && $blockIdx() == 1\n"
+                               "continue\nprint blockDim.x\nprint $gridDim(\"x\")\n";
+    const Outcome outcome = run(corpus + "n02_histogram.cu --gdb -- word < " + commands.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("n02_histogram.cu:8\n8\t    if (threadIdx.x < 8)"));
+    EXPECT_THAT(outcome.text, HasSubstr("$1 = 64\n"));
+    EXPECT_THAT(outcome.text, HasSubstr("$2 = 2\n"));
+    fs::remove(commands);
+}
+
 TEST(Run, ForPrograms) {
     EXPECT_THAT(run(corpus + "w49_null_pointer.cu --json 2>/dev/null").text,
                 HasSubstr("\"kind\": \"null-pointer\""));
