@@ -19,7 +19,7 @@ int debug(const Tree& tree, const RunOptions& options) {
     const BuiltProgram built =
         build_program(tree, build_machine(tree, mode), sources, options, work.path() / mode.name);
     if (built.file.empty()) {
-        fmt::print("{}", to_text({sources, {}, built.findings, built.words}));
+        fmt::print("{}", to_text({sources, {}, built.findings, built.words, {}}));
         return int(ExitCode::bad_usage);
     }
     setenv("RAYLAB_WORKERS", "1", 1); // no other CUDA thread runs while one is looked at

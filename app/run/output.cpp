@@ -90,6 +90,8 @@ std::string to_text(const Result& result) {
     bool ran = false;
     text += all_that_was_checked(result);
     for (const Execution& execution : result.executions) ran |= execution.summary.has_value();
+    if (!result.unchecked.empty())
+        text += "not checked: whether kernels use host code (" + result.unchecked + ")\n";
     if (sums.empty()) sums = ran ? "nothing found" : "no kernel was run: nothing was checked";
     return text + sums + "\n";
 }

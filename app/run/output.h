@@ -9,7 +9,8 @@ struct Result {
     std::vector<std::string> sources;
     std::vector<Execution> executions; // empty: the program does not compile
     std::vector<simt::Finding> findings;
-    std::string compiler; // its words, if it does not compile
+    std::string compiler;  // its words, if it does not compile
+    std::string unchecked; // host code in kernels: why nothing is known of it; empty: checked
 };
 
 std::string to_text(const Result& result);

@@ -61,6 +61,7 @@ std::string to_json(const Result& result) {
     }
     return dumped({{"sources", result.sources},
                    {"compiles", !result.executions.empty()},
+                   {"host_code_unchecked", result.unchecked},
                    {"findings", findings},
                    {"runs", runs}});
 }

@@ -2,6 +2,7 @@
 #include "app/run/run.h"
 
 #include "app/run/build_program.h"
+#include "app/run/host_code.h"
 #include "app/run/merge.h"
 #include "app/run/order.h"
 #include "app/run/work_folder.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 namespace raylab::app {
 
@@ -39,6 +41,9 @@ class Session {
     Result run() {
         const std::string& machine = options_.machine;
         const bool all = machine == "all";
+        // clang reads while g++ compiles.
+        host_code_ = std::async(std::launch::async, host_code_in_kernels, std::cref(tree_),
+                                std::cref(options_), std::cref(result_.sources));
         if (machine == "order") {
             if (build("plain")) compare_orders();
         } else {
@@ -107,7 +112,13 @@ class Session {
     }
 
     Result finish() {
-        if (!result_.executions.empty()) result_.findings = merged(result_.executions);
+        HostCode host_code = host_code_.get();
+        if (!result_.executions.empty()) {
+            result_.unchecked = host_code.unchecked;
+            std::vector<simt::Finding>& found = result_.executions.front().findings;
+            found.insert(found.begin(), host_code.findings.begin(), host_code.findings.end());
+            result_.findings = merged(result_.executions);
+        }
         return std::move(result_);
     }
 
@@ -118,6 +129,7 @@ class Session {
     std::filesystem::path program_;
     std::optional<std::filesystem::path> program_of_plain_;
     Result result_;
+    std::future<HostCode> host_code_;
 };
 
 } // namespace

@@ -7,7 +7,8 @@
 
 namespace raylab::simt {
 
-// In which order threads of a block, and blocks of a grid, get their turn.
+// In which order threads of a block, and blocks of a grid, get their turn. For forward, the usual
+// order, another one is taken if the environment's RAYLAB_ORDER names it.
 enum class Order { forward, reverse, random };
 
 // Virtual memory, only what is used becomes real; but ThreadSanitizer touches four times as much.

@@ -25,6 +25,7 @@ constexpr double test_limit_seconds = 30; // the labs' own take milliseconds
 
 struct TestOutcome {
     bool passed = false;
+    bool launches = false; // kernels of the CPU machine were run
     std::vector<std::string> facts;
     std::vector<Stub> stubs;
 };
@@ -123,9 +124,9 @@ Report read_report(const std::string& text) {
 }
 
 // What the machine that watches every access (common/simt/watch) has found wrong, a sentence each.
-std::vector<std::string> watched_mistakes(const std::string& findings) {
+std::vector<std::string> watched_mistakes(const std::vector<simt::Finding>& findings) {
     std::vector<std::string> sentences;
-    for (const simt::Finding& finding : simt::folded(simt::parse_findings(findings).findings)) {
+    for (const simt::Finding& finding : simt::folded(findings)) {
         if (finding.mode != "watch" || finding.severity != simt::Severity::error) continue;
         std::string sentence = fmt::format("{}:{}: {}; {}", finding.place.file, finding.place.line,
                                            finding.message, finding.advice);
@@ -137,13 +138,13 @@ std::vector<std::string> watched_mistakes(const std::string& findings) {
     return sentences;
 }
 
-TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder,
-                     double limit_seconds) {
+TestOutcome run_test_once(const std::string& name, const std::string& order,
+                          const fs::path& program, const fs::path& folder, double limit_seconds) {
     const TemporaryFile file, findings;
     bool began = false; // looked for as output comes, since only the end of long output is kept
     const ProcessResult process = run_process(
-        {"env", "RAYLAB_FINDINGS=" + findings.path(), program.string(), "--gtest_filter=" + name,
-         "--gtest_color=no", "--gtest_output=json:" + file.path()},
+        {"env", "RAYLAB_FINDINGS=" + findings.path(), "RAYLAB_ORDER=" + order, program.string(),
+         "--gtest_filter=" + name, "--gtest_color=no", "--gtest_output=json:" + file.path()},
         {limit_seconds, folder, [&](const std::string& output) {
              began = began || output.find("[ RUN      ] " + name) != output.npos;
          }});
@@ -159,7 +160,9 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
     TestOutcome outcome;
     outcome.passed = process.succeeded() && report.completed;
     outcome.stubs = stubs_met(process.output);
-    const std::vector<std::string> mistakes = watched_mistakes(read_file(findings.path()));
+    const simt::FindingsFile found = simt::parse_findings(read_file(findings.path()));
+    outcome.launches = found.summary && found.summary->launches > 0;
+    const std::vector<std::string> mistakes = watched_mistakes(found.findings);
     if (outcome.passed && mistakes.empty()) return outcome;
     if (process.timed_out)
         outcome.facts = {fmt::format("{} did not end within {:.0f} s; the likely cause: a loop "
@@ -183,6 +186,18 @@ TestOutcome run_test(const std::string& name, const fs::path& program, const fs:
     if (outcome.facts.empty())
         outcome.facts = {fmt::format("{} ended with exit code {}", name, process.exit_code)};
     return outcome;
+}
+
+// A kernel gives one result, whichever of its threads comes first. So a test that passes runs again
+// with the threads in reverse order; one without a kernel does not.
+TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder,
+                     double limit_seconds) {
+    const TestOutcome forward = run_test_once(name, "forward", program, folder, limit_seconds);
+    if (!forward.passed || !forward.launches) return forward;
+    TestOutcome reverse = run_test_once(name, "reverse", program, folder, limit_seconds);
+    for (std::string& fact : reverse.facts)
+        fact = "where the CUDA threads run in reverse order, which must change nothing: " + fact;
+    return reverse;
 }
 
 template <class T> void append_new(std::vector<T>& list, const T& value) {

@@ -1,7 +1,8 @@
 // NOT IMPLEMENTED, WRONG or PASS: what the tests of a task say about a lab.
 //
 // Each test runs in a process of its own: one that crashes or never ends takes no other with it,
-// and what a stub says belongs to the test that met it.
+// and what a stub says belongs to the test that met it. A test with a kernel runs with the CUDA
+// threads in both orders, forward and reverse.
 #pragma once
 
 #include "grader/course/lab_sheet.h"

@@ -5,9 +5,9 @@
 //     // expect: MODES SEVERITY LINES KIND; MODES SEVERITY LINES KIND ...
 //     // expect: plain,races error 9 shared-overrun; bounds error 9 out-of-bounds
 //
-// MODES: plain, watch, bounds, races, order (of `raylab run --machine`), compile (it must not), or
-// none: a finding that no mode makes yet. LINES: 8 or 8|9 (one of them), 0 for a finding without a
-// line.
+// MODES: plain, watch, bounds, races, order (of `raylab run --machine`), compile (it must not),
+// host (clang says so, in every mode), or none: a finding that no mode makes yet. LINES: 8 or 8|9
+// (one of them), 0 for a finding without a line.
 #pragma once
 
 #include "common/simt/finding.h"

@@ -1,5 +1,6 @@
 // `raylab run` as a person and as a program meet it.
 #include "app/run/compiler_errors.h"
+#include "app/run/host_code.h"
 #include "app/run/output.h"
 #include "app/tests/shell.h"
 
@@ -138,6 +139,36 @@ TEST(CompilerErrors, InAHeaderAreToldAtTheLineThatLedThere) {
     ASSERT_EQ(findings.size(), 2u);
     EXPECT_EQ(findings[0].place, (simt::SourcePlace{"a.cu", 9, 3}));
     EXPECT_EQ(findings[1].place, (simt::SourcePlace{"a.cu", 12, 0}));
+}
+
+TEST(HostCode, IsTheProgramsOwnAlone) {
+    bool understood = false;
+    const auto read = [&](const std::string& words) {
+        return findings_of_clang(words, {"/usr/"}, understood);
+    };
+    auto findings = read("a.cu:7:6: error: no matching function for call to 'f'\n"
+                         "a.cu:1:2: note: candidate function not viable: requires 2 arguments\n"
+                         "a.cu:2:2: note: candidate function not viable: call to __host__ function "
+                         "from __global__ function\n");
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].kind, "host-function");
+    EXPECT_EQ(findings[0].place, (simt::SourcePlace{"a.cu", 7, 6}));
+    EXPECT_THAT(findings[0].advice, HasSubstr("a.cu:2"));
+    EXPECT_TRUE(understood);
+
+    // A function of the library, and an error that is not about host code.
+    findings =
+        read("a.cu:7:6: error: reference to __host__ function 'sort' in __global__ function\n"
+             "/usr/include/algorithm:2:2: note: 'sort' declared here\n");
+    EXPECT_TRUE(findings.empty());
+    EXPECT_FALSE(understood);
+    findings = read("a.cu:7:6: error: use of undeclared identifier 'x'\n"
+                    "a.cu:8:6: error: no matching function for call to 'g'\n"
+                    "a.cu:2:2: note: candidate function not viable: call to __device__ function "
+                    "from __host__ function\n");
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].kind, "device-function");
+    EXPECT_FALSE(understood);
 }
 
 TEST(Output, AnnotationsEscapeWhatEndsThem) {

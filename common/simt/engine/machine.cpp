@@ -52,7 +52,8 @@ Options options_of_environment() {
 // CUDA's runtime is one for the whole process, and so is this.
 struct Machine {
     std::mutex launching; // one launch at a time
-    Options options = options_of_environment();
+    const Options usual = options_of_environment();
+    Options options = usual;
     std::unique_ptr<Workers> workers; // made by the first launch after the options were set
 
     std::mutex state;
@@ -210,8 +211,13 @@ void set_options(const Options& options) {
         throw std::invalid_argument("Options::stack_size is " + std::to_string(options.stack_size) +
                                     ": expected at least 16384 bytes");
     std::lock_guard lock(machine().launching);
-    if (options == machine().options) return;
-    machine().options = options;
+    Options wanted = options;
+    if (wanted.order == Order::forward) {
+        wanted.order = machine().usual.order;
+        wanted.seed = machine().usual.seed;
+    }
+    if (wanted == machine().options) return;
+    machine().options = wanted;
     machine().workers.reset();
 }
 

@@ -26,6 +26,21 @@ TEST(Watched, One) {
             << "\n";
 }
 
+// What the CPU machine leaves behind after a kernel.
+void launch() {
+    std::ofstream(std::getenv("RAYLAB_FINDINGS"))
+        << R"({"launches": 1, "threads": 32, "allocations": 0, "bytes": 0})"
+        << "\n";
+}
+bool in_reverse() { return std::string(std::getenv("RAYLAB_ORDER")) == "reverse"; }
+
+TEST(Ordered, One) {
+    launch();
+    task::expect(!in_reverse(), "a sum is missing");
+}
+TEST(Unordered, One) { launch(); }
+TEST(WithoutKernel, One) { task::expect(!in_reverse(), "it was run again"); }
+
 TEST(Stubbed, One) {
     not_implemented("7.3", "f()", "/some/where/labs/07_fake/a.cpp", 12);
     task::expect(false, "a fact that the stub explains");

@@ -45,6 +45,16 @@ TEST_F(Verdicts, WhatTheWatchFoundIsWrong) {
     EXPECT_EQ(result.facts, std::vector<std::string>{"labs/07_fake/a.cu:12: a race; a barrier"});
 }
 
+TEST_F(Verdicts, AResultThatDependsOnTheOrderOfThreadsIsWrong) {
+    const TaskResult result = judge("7.9", "Ordered.*");
+    EXPECT_EQ(result.verdict, Verdict::wrong);
+    ASSERT_EQ(result.facts.size(), 1u);
+    EXPECT_NE(result.facts[0].find("in reverse order"), std::string::npos);
+    EXPECT_NE(result.facts[0].find("a sum is missing"), std::string::npos);
+    EXPECT_EQ(judge("7.9", "Unordered.*").verdict, Verdict::pass);
+    EXPECT_EQ(judge("7.9", "WithoutKernel.*").verdict, Verdict::pass);
+}
+
 TEST_F(Verdicts, WrongSaysTheMeasuredFactAlone) {
     const TaskResult result = judge("7.9", "Wrong.*");
     EXPECT_EQ(result.verdict, Verdict::wrong);

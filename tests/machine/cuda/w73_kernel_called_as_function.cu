@@ -1,4 +1,4 @@
-// expect: bounds error 6 host-dereference; none error 16 kernel-called
+// expect: bounds error 6 host-dereference; host error 16 kernel-called
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// expect: none error 7 host-variable
+// expect: host error 7 host-variable
 #include <cuda_runtime.h>
 #include <cstdio>
 #include <cstdlib>
