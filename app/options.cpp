@@ -77,7 +77,7 @@ void add_scene_options(CLI::App& app, SceneChanges& changes) {
 }
 
 void add_machine_options(CLI::App& app, MachineSettings& machine) {
-    machine.records = false; // no command reads them
+    machine.records = false; // only `render --lanes` reads them
     const std::string group = "Machine (none changes a bit of the image)";
     app.add_option("--threads", machine.threads, "host threads (default: one a core)")
         ->check(CLI::Range(0, 1024))

@@ -9,6 +9,7 @@
 #include "common/cli/interrupt.h"
 #include "common/cli/progress.h"
 #include "common/image/image_file.h"
+#include "grader/report/lanes.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ namespace {
 constexpr std::uint64_t announced_bytes = 1 << 30; // a smaller need is not printed
 
 struct RenderOptions {
-    std::string lab, scene, output, stats;
+    std::string lab, scene, output, stats, lanes;
     SceneChanges changes;
     MachineSettings machine;
     std::vector<int> snapshots;
@@ -49,9 +50,28 @@ void print_summary(const Ledger& ledger, const std::string& output) {
     fmt::print("wrote {}\n", output);
 }
 
+// The 32 pixels of the warp in the middle of the image, as lab 02 deals pixels to threads.
+struct MiddleWarp {
+    static constexpr int lanes_of_warp = 32;
+    int first_pixel;
+    std::vector<PathRecord> paths; // of the latest sample
+
+    explicit MiddleWarp(const Camera& camera)
+        : first_pixel((camera.height / 2 * camera.width + camera.width / 2) / lanes_of_warp *
+                      lanes_of_warp) {}
+    void take(const Renderer& renderer) {
+        const std::vector<PathRecord> all = renderer.records();
+        const std::size_t end = std::min(all.size(), std::size_t(first_pixel) + lanes_of_warp);
+        paths.assign(all.begin() + first_pixel, all.begin() + std::ptrdiff_t(end));
+    }
+};
+
 // Writes the image and the ledger, and prints a summary.
-void write_render(const RenderOptions& options, const Render& render, const std::string& output) {
+void write_render(const RenderOptions& options, const Render& render, const MiddleWarp& warp,
+                  const std::string& output) {
     write_image(render.image, output);
+    if (!options.lanes.empty())
+        write_file(options.lanes, lanes_picture(render.ledger, warp.paths, warp.first_pixel));
     if (!options.stats.empty()) write_file(options.stats, to_json(render.ledger) + "\n");
     if (options.json)
         fmt::print("{}\n", to_json(render.ledger));
@@ -74,6 +94,7 @@ ExitCode run_render(const RenderOptions& options) {
     // A wrong file name is found now, and not after the render.
     prepare_image_output(output);
     if (!options.stats.empty()) prepare_output(options.stats);
+    if (!options.lanes.empty()) prepare_output(options.lanes);
     for (const int done : options.snapshots) prepare_image_output(snapshot_path(output, done));
     for (const std::string& warning : scene.warnings)
         if (!options.quiet) fmt::print(stderr, "warning: {}\n", warning);
@@ -84,8 +105,10 @@ ExitCode run_render(const RenderOptions& options) {
     std::optional<Progress> progress;
     if (!options.quiet)
         progress.emplace(fmt::format("{} {}", lab.number, scene.name), spp, "samples", pixels);
+    MiddleWarp warp(scene.camera);
     const auto after_sample = [&](const Renderer& renderer, int done) {
         if (progress) progress->update(done);
+        if (!options.lanes.empty()) warp.take(renderer);
         if (std::binary_search(options.snapshots.begin(), options.snapshots.end(), done))
             write_image(develop(renderer, scene).image, snapshot_path(output, done));
     };
@@ -97,13 +120,13 @@ ExitCode run_render(const RenderOptions& options) {
     if (progress) progress->clear();
     const int samples = render.ledger.samples;
     if (!interrupted()) {
-        write_render(options, render, output);
+        write_render(options, render, warp, output);
         return ExitCode::success;
     }
     end_interrupted([&] {
         if (samples == 0)
             return say_interrupted(" before the first sample was finished: nothing was written");
-        write_render(options, render, output);
+        write_render(options, render, warp, output);
         say_interrupted(fmt::format(": '{}' has {} of {} samples a pixel", output, samples, spp));
     });
 }
@@ -118,6 +141,8 @@ Run add_render(CLI::App& app) {
     app.add_option("-o,--output", options->output,
                    "image file: .exr, .pfm, .hdr or .png (default out/SCENE_LAB.exr)");
     app.add_option("--stats", options->stats, "write the ledger as JSON to this file");
+    app.add_option("--lanes", options->lanes,
+                   "draw where a warp's cycles are wasted, bounce by bounce, as this SVG file");
     app.add_option("--snapshots", options->snapshots, "also save the image after these iterations")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
@@ -134,10 +159,12 @@ Run add_render(CLI::App& app) {
         "Examples:\n"
         "  raylab render 02 cornell -o cornell.png\n"
         "  raylab render 02 cornell --spp 250 --snapshots 1,20,250 -o cornell.png\n"
+        "  raylab render 02 cornell --lanes out/lanes.svg\n"
         "  raylab render 03 cornell --compact off --pool 4096\n"
         "  raylab render 04 stadium --accel kd --walk ropes\n"
         "  raylab render 01 scenes/whitted.json --threads 1 --stats ledger.json");
     return [options] {
+        options->machine.records = !options->lanes.empty();
         std::sort(options->snapshots.begin(), options->snapshots.end());
         return run_render(*options);
     };
