@@ -84,6 +84,25 @@ bool CheckReport::passed() const {
                        [](const TaskResult& r) { return r.verdict == Verdict::pass; });
 }
 
+// A task that builds on a wrong one may be right itself: its facts would lead astray.
+void say_what_is_needed_first(std::vector<TaskResult>& results) {
+    const auto is_wrong = [&](const std::string& id) {
+        return std::any_of(results.begin(), results.end(), [&](const TaskResult& other) {
+            return other.task.id == id && other.verdict == Verdict::wrong;
+        });
+    };
+    for (TaskResult& result : results) {
+        if (result.verdict != Verdict::wrong) continue;
+        for (const std::string& need : result.task.needs)
+            if (is_wrong(need))
+                result.facts.insert(
+                    result.facts.begin(),
+                    fmt::format("needs first: task {}, which is WRONG; mend it and check "
+                                "this task again",
+                                need));
+    }
+}
+
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
                         const std::vector<std::string>& ids, double patience) {
     CheckReport report{sheet, "", {}, 0, 0};
@@ -103,6 +122,7 @@ CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
         report.test_seconds += report.results.back().seconds;
         progress.update(static_cast<int>(report.results.size()));
     }
+    say_what_is_needed_first(report.results);
     return report;
 }
 

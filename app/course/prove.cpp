@@ -1,14 +1,10 @@
 // raylab prove: the tests of the labs' tasks are tested. For every task: red on its stub, green on
-// the solution, green on every harmless variation.
-//
-// All states of a lab are built one after the other in one build folder, from a folder laid over
-// the tree (RAYLAB_OVERLAY): only what a state changes is compiled again.
+// the solution, green on every harmless variation; or, with --mistakes, red on every known mistake.
 #include "app/course/commands.h"
+#include "app/course/proof_build.h"
+#include "app/course/prove_mistakes.h"
 #include "common/cli/files.h"
-#include "common/cli/process.h"
 #include "common/cli/progress.h"
-#include "grader/course/stub_tree.h"
-#include "grader/course/variation.h"
 
 #include <fmt/format.h>
 
@@ -53,27 +49,6 @@ std::vector<State> states_of(const LabSheet& sheet, const std::vector<Variation>
     return states;
 }
 
-void configure(const Tree& tree, const fs::path& overlay, const fs::path& build) {
-    // Warnings about what a stub leaves unused are no errors; -O1 and one variant of each
-    // kernel compile faster, and the tests hold for any optimisation and variant.
-    std::vector<std::string> command = {(tree.root / "cmake/configure.sh").string(),
-                                        build.string(),
-                                        "-G",
-                                        "Ninja",
-                                        "-DCMAKE_BUILD_TYPE=None",
-                                        "-DCMAKE_CXX_FLAGS=-O1",
-                                        "-DRAYLAB_STRICT=OFF",
-                                        "-DRAYLAB_TESTS=OFF",
-                                        "-DRAYLAB_VARIANTS=one",
-                                        "-DRAYLAB_OVERLAY=" + overlay.string()};
-    if (run_process({"ccache", "--version"}, {10}).succeeded())
-        command.push_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
-    const ProcessResult result = run_process(command, {300, tree.root});
-    if (!result.succeeded())
-        throw std::runtime_error(
-            fmt::format("configuring failed, {}:\n{}", why_failed(result), result.output));
-}
-
 // What is wrong with a verdict in a state, or "".
 std::string objection(const State& state, const TaskResult& result) {
     const std::string& id = result.task.id;
@@ -115,7 +90,7 @@ void take(LabProof& proof, const State& state, const CheckReport& report) {
     }
 }
 
-LabProof prove_lab(const Tree& proof_tree, const fs::path& overlay, const LabSheet& sheet) {
+LabProof prove_lab(ProofBuild& build, const LabSheet& sheet) {
     const LabSources lab = read_lab_sources(sheet);
     const std::vector<Variation> variations = read_variations(sheet);
     LabProof proof{sheet, {}, {}};
@@ -126,12 +101,7 @@ LabProof prove_lab(const Tree& proof_tree, const fs::path& overlay, const LabShe
     Progress progress("proving lab " + sheet.number, static_cast<int>(states.size()), "states", 1);
     int done = 0;
     for (const State& state : states) {
-        write_lab(lab, state.stubbed, overlay, [&](const std::string& file, std::string text) {
-            return state.variation && state.variation->file == file ? state.variation->apply(text)
-                                                                    : text;
-        });
-        const LabSheet laid_over = read_lab_sheet(overlay, sheet.folder);
-        take(proof, state, check_tasks(proof_tree, laid_over, sheet.task_ids()));
+        take(proof, state, build.check(lab, state.stubbed, state.variation));
         progress.update(++done);
     }
     return proof;
@@ -165,7 +135,8 @@ std::string to_markdown(const std::vector<LabProof>& proofs) {
 
 struct ProveOptions {
     std::vector<std::string> labs;
-    std::string output;
+    std::string output, only;
+    bool mistakes = false;
 };
 
 ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
@@ -175,18 +146,20 @@ ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     if (labs.empty())
         throw std::runtime_error(
             fmt::format("{} has no lab: nothing was proved", tree.root.string()));
-    // CMake looks for the labs in the overlay when it configures, so all of them must be there
-    // before.
-    const fs::path overlay = tree.root / "build/proof/overlay";
-    const Tree proof_tree = {tree.root, tree.root / "build/proof/build"};
-    for (const std::string& lab : labs)
-        write_lab(read_lab_sources(find_lab(tree.root, lab)), {}, overlay);
-    configure(tree, overlay, proof_tree.build);
-
+    ProofBuild build(tree, labs);
+    if (options.mistakes) {
+        std::vector<MistakeProof> proofs;
+        for (const std::string& lab : labs)
+            for (MistakeProof& proof :
+                 prove_mistakes(build, find_lab(tree.root, lab), options.only))
+                proofs.push_back(std::move(proof));
+        if (!options.output.empty()) write_file(options.output, to_markdown(proofs));
+        return judged(proofs);
+    }
     std::vector<LabProof> proofs;
     bool holds = true;
     for (const std::string& lab : labs) {
-        proofs.push_back(prove_lab(proof_tree, overlay, find_lab(tree.root, lab)));
+        proofs.push_back(prove_lab(build, find_lab(tree.root, lab)));
         const LabProof& proof = proofs.back();
         for (const TaskProof& task : proof.tasks) {
             holds = holds && task.holds();
@@ -210,9 +183,17 @@ Run add_prove(CLI::App& app, const Tree& tree) {
     app.description("Prove the tests of the tasks: red on each stub, green on the solution and on "
                     "every harmless variation.");
     app.add_option("LABS", options->labs, "labs (default: all)");
+    auto* mistakes = app.add_flag("--mistakes", options->mistakes,
+                                  "instead: red on every known mistake, for the right cause");
+    app.add_option("--only", options->only, "the mistakes with this in their name")
+        ->needs(mistakes);
     app.add_option("-o,--output", options->output, "write the table as Markdown");
-    app.footer("Examples:\n  raylab prove 02\n  raylab prove -o docs/tasks.md\n"
-               "Exit code 1: a test is green on a stub, or red on a right solution.");
+    app.footer(
+        "Examples:\n  raylab prove 02\n  raylab prove -o docs/tasks.md\n"
+        "  raylab prove --mistakes -o docs/mistakes.md\n"
+        "  raylab prove 03 --mistakes --only scan\n"
+        "Exit code 1: a test is green on a stub, or red on a right solution; a mistake passes, "
+        "or fewer\nthan nine in ten are called by their cause.");
     return [options, tree] { return run_prove(tree, *options); };
 }
 

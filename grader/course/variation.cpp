@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 namespace raylab {
 
@@ -20,11 +22,8 @@ std::string joined_lines(const Node& list) {
     return text;
 }
 
-Variation read_variation(const LabSheet& sheet, const fs::path& path) {
-    const JsonDocument document =
-        parse_json(read_file(path.string()), path.lexically_relative(sheet.root).string());
-    const Node top(document);
-    top.expect_keys({"title", "file", "find", "replace"}, "a variation");
+// What variations and mistakes have in common.
+Variation read_change(const LabSheet& sheet, const fs::path& path, const Node& top) {
     const Node file = top.at("file");
     if (!fs::is_regular_file(sheet.path() / file.string()))
         file.fail(fmt::format("lab {} has no file '{}'", sheet.number, file.string()));
@@ -36,6 +35,46 @@ Variation read_variation(const LabSheet& sheet, const fs::path& path) {
             file.string(),
             find,
             joined_lines(top.at("replace"))};
+}
+
+Variation read_variation(const LabSheet& sheet, const fs::path& path, const Node& top) {
+    top.expect_keys({"title", "file", "find", "replace"}, "a variation");
+    return read_change(sheet, path, top);
+}
+
+Mistake read_mistake(const LabSheet& sheet, const fs::path& path, const Node& top) {
+    top.expect_keys({"title", "task", "cause", "file", "find", "replace"}, "a mistake");
+    const std::string task = top.at("task").string();
+    if (!sheet.find(task))
+        top.at("task").fail(fmt::format("lab {} has no task '{}'", sheet.number, task));
+    Mistake mistake{read_change(sheet, path, top), task, {}};
+    for (const Node& cause : top.at("cause").elements()) mistake.causes.push_back(cause.string());
+    return mistake;
+}
+
+// One of each file in a folder of the lab, in the order of their names; a lab may have none.
+template <class Read> auto read_all(const LabSheet& sheet, const char* folder, Read read) {
+    std::vector<fs::path> files;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(sheet.path() / folder, ignored))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<decltype(read(sheet, fs::path(), std::declval<Node>()))> all;
+    try {
+        for (const fs::path& file : files) {
+            const JsonDocument document =
+                parse_json(read_file(file.string()), file.lexically_relative(sheet.root).string());
+            all.push_back(read(sheet, file, Node(document)));
+        }
+    } catch (const SceneError& error) {
+        throw CourseError(error.what());
+    }
+    return all;
+}
+
+std::string in_lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
 }
 
 } // namespace
@@ -55,19 +94,19 @@ std::string Variation::apply(const std::string& text) const {
     return text.substr(0, at) + replace + text.substr(at + find.size());
 }
 
+bool Mistake::is_named_by(const std::string& fact) const {
+    const std::string words = in_lower_case(fact);
+    return std::any_of(causes.begin(), causes.end(), [&](const std::string& cause) {
+        return words.find(in_lower_case(cause)) != std::string::npos;
+    });
+}
+
 std::vector<Variation> read_variations(const LabSheet& sheet) {
-    std::vector<Variation> variations;
-    std::error_code ignored; // a lab may have none
-    try {
-        for (const fs::directory_entry& entry :
-             fs::directory_iterator(sheet.path() / "variations", ignored))
-            variations.push_back(read_variation(sheet, entry.path()));
-    } catch (const SceneError& error) {
-        throw CourseError(error.what());
-    }
-    std::sort(variations.begin(), variations.end(),
-              [](const Variation& a, const Variation& b) { return a.name < b.name; });
-    return variations;
+    return read_all(sheet, "variations", read_variation);
+}
+
+std::vector<Mistake> read_mistakes(const LabSheet& sheet) {
+    return read_all(sheet, "mistakes", read_mistake);
 }
 
 } // namespace raylab

@@ -1,9 +1,17 @@
-// Harmless variations of a solution: another generator, another block size, another way to choose a
-// lobe. They are right too, so every test of the lab must pass on them.
+// Changes of a solution that its tests are tested with.
+//
+// Harmless variations: another generator, another block size, another way to choose a lobe. They
+// are right too, so every test of the lab must pass on them.
 //
 // labs/NN_name/variations/NAME.json:
 //     { "title": "Blocks of 96 threads", "file": "renderer.cu",
 //       "find": ["lines as they stand in the solution"], "replace": ["lines in their place"] }
+//
+// Mistakes: what students really write. The task must be WRONG, and the first thing that is said of
+// it must name the cause.
+//
+// labs/NN_name/mistakes/NAME.json: the same, and
+//     { "task": "2.3", "cause": ["words of the right cause", "or other words for it"] }
 #pragma once
 
 #include "grader/course/lab_sheet.h"
@@ -23,7 +31,17 @@ struct Variation {
     std::string apply(const std::string& text) const;
 };
 
-// All of a lab, by name. Throws CourseError.
+struct Mistake {
+    Variation change;
+    std::string task;
+    std::vector<std::string> causes; // one of them must be there, whatever the case of the letters
+
+    // Whether a sentence that `check` says names the cause.
+    bool is_named_by(const std::string& fact) const;
+};
+
+// All of a lab, by name. Throw CourseError.
 std::vector<Variation> read_variations(const LabSheet& sheet);
+std::vector<Mistake> read_mistakes(const LabSheet& sheet);
 
 } // namespace raylab

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # lab_diffs_test.sh LABS: counts what `diff -rN` of each two neighbouring labs says of their sources (.h, .cpp, .cu;
-# neither tests nor variations) and compares it with the budget below and with what the handout promises its reader.
+# neither tests, variations nor mistakes) and compares it with the budget below and with what the handout promises its reader.
 # What two labs have in common belongs in common/: raise a budget only for a new idea.
 set -euo pipefail
 labs=$1
@@ -17,7 +17,7 @@ near() {
 # NEW's handout says how many there are, true to a tenth.
 budget() {
     local old=$1 new=$2 most_removed=$3 most_added=$4 removed added said
-    local out=(-x README.md -x '*.json' -x CMakeLists.txt -x figures -x tests -x variations)
+    local out=(-x README.md -x '*.json' -x CMakeLists.txt -x figures -x tests -x variations -x mistakes)
     read -r removed added < <({ diff -rN "${out[@]}" "$labs/$old" "$labs/$new" || true; } |
         awk '/^</ { r++ } /^>/ { a++ } END { print r + 0, a + 0 }')
     printf '%s -> %s: %d lines go (at most %d), %d come (at most %d)\n' \
