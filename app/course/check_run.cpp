@@ -76,14 +76,6 @@ bool is_the_labs(const ProcessResult& build, const std::string& errors, const La
     return errors.find("labs/" + sheet.folder) != std::string::npos;
 }
 
-} // namespace
-
-bool CheckReport::passed() const {
-    return compiler_errors.empty() && !results.empty() &&
-           std::all_of(results.begin(), results.end(),
-                       [](const TaskResult& r) { return r.verdict == Verdict::pass; });
-}
-
 // A task that builds on a wrong one may be right itself: its facts would lead astray.
 void say_what_is_needed_first(std::vector<TaskResult>& results) {
     const auto is_wrong = [&](const std::string& id) {
@@ -101,6 +93,14 @@ void say_what_is_needed_first(std::vector<TaskResult>& results) {
                                 "this task again",
                                 need));
     }
+}
+
+} // namespace
+
+bool CheckReport::passed() const {
+    return compiler_errors.empty() && !results.empty() &&
+           std::all_of(results.begin(), results.end(),
+                       [](const TaskResult& r) { return r.verdict == Verdict::pass; });
 }
 
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
