@@ -22,12 +22,17 @@ void enter_fiber() { __sanitizer_finish_switch_fiber(nullptr, nullptr, nullptr);
 
 Fiber native_fiber() {
     Fiber fiber;
+#if defined(__APPLE__)
+    fiber.bytes = pthread_get_stacksize_np(pthread_self());
+    fiber.bottom = static_cast<char*>(pthread_get_stackaddr_np(pthread_self())) - fiber.bytes;
+#else
     void* bottom = nullptr;
     pthread_attr_t attributes;
     pthread_getattr_np(pthread_self(), &attributes);
     pthread_attr_getstack(&attributes, &bottom, &fiber.bytes);
     pthread_attr_destroy(&attributes);
     fiber.bottom = static_cast<char*>(bottom);
+#endif
     return fiber;
 }
 
@@ -67,6 +72,10 @@ static size_t page_bytes() {
     static const size_t bytes = size_t(sysconf(_SC_PAGESIZE));
     return bytes;
 }
+
+#if !defined(MAP_STACK) // of macOS, and of no effect on Linux
+#define MAP_STACK 0
+#endif
 
 static char* allocate_stack(size_t bytes) {
     constexpr size_t guard = stack_guard_bytes;

@@ -1,12 +1,13 @@
 // From a signal's context to instructions and lines; see interrupted.h.
 #include "common/simt/engine/interrupted.h"
 
+#include "common/simt/engine/is_store_aarch64.h"
 #include "common/simt/engine/where_is.h"
 
 #include <cstdio>
 #include <cstring>
 #include <execinfo.h>
-#include <ucontext.h>
+#include <sys/ucontext.h>
 
 namespace raylab::simt {
 
@@ -19,16 +20,28 @@ struct Registers {
 };
 
 Registers registers_of([[maybe_unused]] const ucontext_t& context,
-                       [[maybe_unused]] bool of_memory) {
+                       [[maybe_unused]] const void* address, [[maybe_unused]] bool of_memory) {
     Registers registers;
-#if defined(__linux__) && defined(__x86_64__)
+#if defined(__x86_64__) && defined(__linux__)
     const auto& values = context.uc_mcontext.gregs;
     registers.pc = reinterpret_cast<const void*>(values[REG_RIP]);
     registers.write = of_memory && values[REG_ERR] & 2;
     if (of_memory && values[REG_ERR] & 16) // it was to be executed: a call pushed its place
         registers.returns_to = *reinterpret_cast<const void* const*>(values[REG_RSP]);
-#elif defined(__linux__) && defined(__aarch64__)
-    registers.pc = reinterpret_cast<const void*>(context.uc_mcontext.pc);
+#elif defined(__x86_64__) && defined(__APPLE__)
+    registers.pc = reinterpret_cast<const void*>(context.uc_mcontext->__ss.__rip);
+    registers.write = of_memory && context.uc_mcontext->__es.__err & 2;
+#elif defined(__aarch64__)
+#if defined(__APPLE__)
+    const auto pc = context.uc_mcontext->__ss.__pc, link = context.uc_mcontext->__ss.__lr;
+#else
+    const auto pc = context.uc_mcontext.pc, link = context.uc_mcontext.regs[30];
+#endif
+    registers.pc = reinterpret_cast<const void*>(pc);
+    if (of_memory && registers.pc == address) // it was to be executed: a call keeps its place here
+        registers.returns_to = reinterpret_cast<const void*>(link);
+    else if (of_memory)
+        registers.write = is_store_aarch64(*static_cast<const uint32_t*>(registers.pc));
 #endif
     return registers;
 }
@@ -41,7 +54,8 @@ Fault interrupted(int signal, siginfo_t* information, void* context) {
     fault.code = information->si_code;
     const bool of_memory = signal == SIGSEGV || signal == SIGBUS;
     if (of_memory) fault.address = information->si_addr;
-    const Registers registers = registers_of(*static_cast<ucontext_t*>(context), of_memory);
+    const Registers registers =
+        registers_of(*static_cast<ucontext_t*>(context), information->si_addr, of_memory);
     fault.write = registers.write;
     void* frames[64];
     const int count = backtrace(frames, 64);

@@ -1,6 +1,7 @@
 // The one thing that C++ cannot say: leave this stack and go on, on another one.
 //
-// switch_x86_64.S does it in a dozen instructions, switch_boost.cpp with boost.context anywhere.
+// switch_x86_64.S and switch_aarch64.S do it in some dozen instructions, switch_boost.cpp with
+// boost.context anywhere.
 #pragma once
 
 #include <cstddef>

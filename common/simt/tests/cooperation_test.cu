@@ -72,6 +72,21 @@ __global__ void barrier_votes(int period, int* count, int* some, int* every) {
     every[t] = __syncthreads_and(yes);
 }
 
+// More values of each kind than registers that a function keeps for its caller.
+__global__ void count_on(long long* whole, double* real) {
+    long long i[12];
+    double x[10];
+    for (int k = 0; k < 12; ++k) i[k] = threadIdx.x * 1000 + k;
+    for (int k = 0; k < 10; ++k) x[k] = threadIdx.x * 100 + k;
+    for (int round = 0; round < 3; ++round) {
+        __syncthreads();
+        for (int k = 0; k < 12; ++k) i[k] = i[k] * 3 + 1;
+        for (int k = 0; k < 10; ++k) x[k] = x[k] * 2 + 1;
+    }
+    for (int k = 0; k < 12; ++k) whole[threadIdx.x] += i[k] << k;
+    for (int k = 0; k < 10; ++k) real[threadIdx.x] += x[k] * (1 << k);
+}
+
 std::vector<int> numbers(int n) {
     std::vector<int> values(n);
     for (int i = 0; i < n; ++i) values[i] = int(unsigned(i) * 2654435761u >> 20) - 2000;
@@ -132,6 +147,23 @@ TEST(Cooperation, TheLastBlockSeesTheOthers) {
         reduce_in_one_launch<<<24, 64>>>(device_in.data(), partial.data(), ticket.data(),
                                          out.data());
         EXPECT_EQ(out.host()[0], std::accumulate(in.begin(), in.end(), 0));
+    });
+}
+
+TEST(Cooperation, ABarrierKeepsWhatItsThreadsHold) {
+    constexpr int threads = 64;
+    std::vector<long long> whole(threads);
+    std::vector<double> real(threads);
+    for (int t = 0; t < threads; ++t) { // three times 3 i + 1, and three times 2 x + 1
+        for (int k = 0; k < 12; ++k) whole[size_t(t)] += (27 * (t * 1000 + k) + 13LL) << k;
+        for (int k = 0; k < 10; ++k) real[size_t(t)] += (8 * (t * 100 + k) + 7) * (1 << k);
+    }
+    for_each_setting([&] {
+        DeviceArray<long long> found_whole(threads);
+        DeviceArray<double> found_real(threads);
+        count_on<<<1, threads>>>(found_whole.data(), found_real.data());
+        EXPECT_EQ(found_whole.host(), whole);
+        EXPECT_EQ(found_real.host(), real);
     });
 }
 

@@ -69,8 +69,10 @@ TEST_F(Faults, AWildAddressTellsTheNearestAllocation) {
 }
 
 TEST_F(Faults, ADivisionByZero) {
-#if defined(__x86_64__)
     divide<<<1, 32>>>(ints(1), 0);
+#if defined(__aarch64__) // whose quotient is 0, and no fault
+    expect(cudaSuccess, {});
+#else
     expect(cudaErrorLaunchFailure, {"division by zero", "thread (5,0,0)"});
 #endif
 }
