@@ -3,15 +3,26 @@
 #include "common/render/render.h"
 
 #include <chrono>
+
+#if defined(__APPLE__)
+#include <malloc/malloc.h>
+#else
 #include <malloc.h>
+#endif
 
 namespace raylab::app {
 
 namespace {
 
 double heap_bytes() {
+#if defined(__APPLE__)
+    malloc_statistics_t info{};
+    malloc_zone_statistics(nullptr, &info); // of all zones
+    return static_cast<double>(info.size_in_use);
+#else
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+#endif
 }
 
 } // namespace

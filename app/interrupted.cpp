@@ -25,7 +25,11 @@ void end_interrupted(const std::function<void()>& keep) {
 }
 
 void say_interrupted(const std::string& rest) {
+#if defined(__APPLE__)
+    fmt::print(stderr, "raylab: interrupted by signal {}{}\n", interrupted(), rest);
+#else
     fmt::print(stderr, "raylab: interrupted by SIG{}{}\n", sigabbrev_np(interrupted()), rest);
+#endif
 }
 
 } // namespace raylab::app

@@ -28,6 +28,19 @@ function(raylab_library name)
     target_link_libraries(${name} PUBLIC raylab_flags ${arg_LIBS})
 endfunction()
 
+# raylab_header(<target> <header> <address>): lets the target include a library that is a header and nothing
+# else. Debian has packages for those, Homebrew has none.
+function(raylab_header target header address)
+    string(MAKE_C_IDENTIFIER RAYLAB_FOLDER_OF_${header} folder)
+    find_path(${folder} ${header})
+    mark_as_advanced(${folder})
+    if(NOT ${folder})
+        message(FATAL_ERROR "The header ${header} was not found: install the packages of packages.txt; where there "
+                            "is none for it, copy the header from ${address} to /usr/local/include")
+    endif()
+    target_include_directories(${target} SYSTEM PRIVATE ${${folder}})
+endfunction()
+
 # raylab_test(<name> SOURCES ... LIBS ... [LABELS ...] [OPTIONS ...]): a GoogleTest program, one ctest entry.
 # OPTIONS are extra compiler flags, for tests that must hold in other builds (contraction, native).
 function(raylab_test name)

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <malloc.h>
 #include <optional>
 #include <sstream>
 #include <sys/resource.h>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace raylab {
 
@@ -103,7 +106,11 @@ void spare_address_space() {
 std::uint64_t peak_memory() {
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
+#if defined(__APPLE__)
+    return static_cast<std::uint64_t>(usage.ru_maxrss); // bytes there, KiB elsewhere
+#else
     return static_cast<std::uint64_t>(usage.ru_maxrss) << 10;
+#endif
 }
 
 std::string human_bytes(double bytes) {

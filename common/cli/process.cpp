@@ -35,6 +35,18 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
+// A pipe whose ends no program inherits that is started meanwhile. macOS has no pipe2(): there
+// another thread may start one between the two calls, and its child keeps the pipe open until it
+// ends.
+bool make_pipe(int ends[2]) {
+#if defined(__APPLE__)
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 &&
+           fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
+#else
+    return pipe2(ends, O_CLOEXEC) == 0;
+#endif
+}
+
 // Starts the program in a process group of its own, its output to `pipe_end`. 0, or an errno.
 int start(const std::vector<std::string>& command, const ProcessOptions& options, int pipe_end,
           pid_t& child) {
@@ -122,7 +134,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         return result;
     };
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return not_started(errno);
+    if (!make_pipe(ends)) return not_started(errno);
     const double begin = now(), deadline = begin + options.limit_seconds;
     int error = 0, status = 0;
     {

@@ -8,6 +8,7 @@
 //   -Y 512 +X 1024             1024 columns of 512 rows, the top row first, each from left to right
 #include "common/image/hdr_header.h"
 
+#include "common/cli/parse_double.h"
 #include "common/image/decode.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ DVec3 factors(std::string_view name, std::string_view value, std::size_t count) 
         double number = 0;
         const char* begin = words[i].data() + (words[i].starts_with('+') ? 1 : 0);
         const char* end = words[i].data() + words[i].size();
-        const auto [stop, error] = std::from_chars(begin, end, number);
+        const auto [stop, error] = parse_double(begin, end, number);
         good = error == std::errc() && stop == end && number > 0 && std::isfinite(number);
         result[int(i)] = number;
     }

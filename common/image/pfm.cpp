@@ -1,5 +1,6 @@
 // PFM: "PF\n<width> <height>\n-1.0\n", then rows of 32-bit floats, bottom row first. A negative
 // scale means little endian (Debevec's format; its magnitude is a unit that no program agrees on).
+#include "common/cli/parse_double.h"
 #include "common/image/formats.h"
 
 #include <fmt/format.h>
@@ -29,9 +30,16 @@ std::string_view next_word(const std::string& bytes, std::size_t& at) {
     return word;
 }
 
+std::from_chars_result parse(const char* begin, const char* end, double& value) {
+    return parse_double(begin, end, value);
+}
+std::from_chars_result parse(const char* begin, const char* end, long long& value) {
+    return std::from_chars(begin, end, value);
+}
+
 template <class Number> Number parse(std::string_view word, const char* name) {
     Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, error] = parse(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
         throw std::runtime_error(fmt::format("its {} '{}' is not a number", name, word));
     return value;

@@ -2,6 +2,7 @@
 // groups, curves and lines are passed over.
 // Own code, since tinyobjloader takes a garbled number for 0, trusts counts, and cuts polygons with
 // notches wrongly.
+#include "common/cli/parse_double.h"
 #include "common/load/located_json.h"
 #include "common/load/mesh.h"
 #include "common/load/mtl.h"
@@ -84,7 +85,7 @@ class ObjReader {
     double number(const ObjWord& word) const {
         double value = 0;
         const std::string_view text = word.text.substr(word.text.starts_with('+') ? 1 : 0);
-        const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const auto [stop, error] = parse_double(text.data(), text.data() + text.size(), value);
         if (error == std::errc::invalid_argument || stop != text.data() + text.size())
             fail(word, fmt::format("expected a number, found {}", quote(std::string(word.text))));
         if (error == std::errc::result_out_of_range) // too large, or so small that it is 0

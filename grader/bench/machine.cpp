@@ -5,12 +5,32 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
+
+#if defined(__APPLE__)
+#include <sys/sysctl.h>
+#include <thread>
+#else
 #include <sched.h>
+#endif
 
 namespace raylab::bench {
 
 namespace {
+
+#if defined(__APPLE__)
+
+std::string cpu_model() {
+    char name[128] = "";
+    std::size_t bytes = sizeof name;
+    const int error = sysctlbyname("machdep.cpu.brand_string", name, &bytes, nullptr, 0);
+    return error == 0 ? name : "unknown processor";
+}
+
+int usable_cores() { return static_cast<int>(std::thread::hardware_concurrency()); }
+
+#else
 
 std::string cpu_model() {
     std::ifstream file("/proc/cpuinfo");
@@ -23,6 +43,8 @@ int usable_cores() {
     cpu_set_t set;
     return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
+
+#endif
 
 std::string git(const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {"git", "-C", RAYLAB_SOURCE_DIR};
@@ -38,7 +60,7 @@ Machine this_machine() {
     machine.date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
     machine.cpu = cpu_model();
     machine.cores = usable_cores();
-    std::ifstream("/proc/loadavg") >> machine.load;
+    getloadavg(&machine.load, 1);
     machine.compiler = RAYLAB_COMPILER;
     machine.flags = RAYLAB_BUILD_FLAGS;
     machine.commit = git({"rev-parse", "--short=12", "HEAD"});

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace raylab {
 namespace {
 
@@ -18,7 +20,8 @@ TEST(SphLight, density_is_that_of_the_cone_at_every_size) {
         scene.add(Vec3(0, 0, 1), ratio);
         const LightSample s = sample_light<F>(scene.view(), 0, Vec3(0), Vec2(0.3f, 0.6f));
         const long double r2 = (long double)ratio * ratio;
-        const long double truth = 1 / (2 * M_PIl * (r2 / (1 + std::sqrt(1 - r2))));
+        const long double truth =
+            1 / (2 * std::numbers::pi_v<long double> * (r2 / (1 + std::sqrt(1 - r2))));
         worst = std::max(worst, double(std::abs(s.pdf / truth - 1)));
         EXPECT_NEAR(s.pdf / truth, 1, 1e-6) << "r/d " << ratio;
         EXPECT_EQ(light_pdf<F>(scene.view(), 0, Vec3(0), s.wi, s.p, s.n), s.pdf);

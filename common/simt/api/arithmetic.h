@@ -113,10 +113,12 @@ inline float __tanf(float x) { return std::tan(x); }
 inline float __log2f(float x) { return std::log2(x); }
 inline float __log10f(float x) { return std::log10(x); }
 inline float __exp10f(float x) { return float(std::pow(10.0, double(x))); }
+#if !defined(__APPLE__) // whose <math.h> has a function of this name that does the same
 inline void __sincosf(float x, float* sine, float* cosine) {
     *sine = std::sin(x);
     *cosine = std::cos(x);
 }
+#endif
 
 inline float sinpif(float x) { return float(raylab::simt::sin_pi(x)); }
 inline float cospif(float x) { return float(raylab::simt::cos_pi(x)); }

@@ -2,6 +2,7 @@
 // what rays meet.
 #pragma once
 
+#include "common/cli/joined_threads.h"
 #include "common/geometry/ray.h"
 #include "common/geometry/shapes.h"
 #include "grader/bench/contestant.h"
@@ -11,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <thread>
 #include <vector>
 
 namespace raylab::bench {
@@ -77,12 +77,13 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
 // seconds that took.
 template <class Part> double seconds_in_parts(std::size_t n, int threads, const Part& part) {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<std::jthread> others;
-    const auto count = static_cast<std::size_t>(threads);
-    for (std::size_t i = 1; i < count; ++i)
-        others.emplace_back([&part, n, i, count] { part(n * i / count, n * (i + 1) / count); });
-    part(0, n / count);
-    others.clear(); // joins
+    {
+        JoinedThreads others;
+        const auto count = static_cast<std::size_t>(threads);
+        for (std::size_t i = 1; i < count; ++i)
+            others.start([&part, n, i, count] { part(n * i / count, n * (i + 1) / count); });
+        part(0, n / count);
+    }
     return seconds_since(start);
 }
 

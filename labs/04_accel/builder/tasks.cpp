@@ -1,5 +1,7 @@
 #include "labs/04_accel/builder/tasks.h"
 
+#include "common/cli/joined_threads.h"
+
 #include <thread>
 
 namespace raylab::lab04 {
@@ -14,8 +16,8 @@ void BuildTasks::add(std::size_t size, std::function<void()> work) {
 
 void BuildTasks::run(int threads) {
     {
-        std::vector<std::jthread> others; // joined even if one of them cannot be started
-        for (int i = 1; i < threads; ++i) others.emplace_back([this] { take_part(); });
+        JoinedThreads others;
+        for (int i = 1; i < threads; ++i) others.start([this] { take_part(); });
         take_part();
     }
     if (failure_) std::rethrow_exception(failure_);
