@@ -37,7 +37,10 @@ surroundings() {
     for path in "${prefixes[@]}"; do
         folders+=("${path%/bin}"/{lib,lib64,share,lib/*-linux-gnu}/{cmake,pkgconfig})
     done
-    printf 'saw folders %s\n' "$(stat -c '%n %y' -- "${folders[@]}" 2>/dev/null | sort -u | sum)"
+    # What names and times of files are to the stat of GNU, they are not to that of BSD and macOS.
+    local names_and_times=(-c '%n %y')
+    [ "$(uname -s)" != Darwin ] || names_and_times=(-f '%N %m')
+    printf 'saw folders %s\n' "$(stat "${names_and_times[@]}" -- "${folders[@]}" 2>/dev/null | sort -u | sum)"
     printf 'saw programs %s\n' "$(command -v cmake ninja python3 pkg-config | sum)"
 }
 
