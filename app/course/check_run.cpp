@@ -51,7 +51,7 @@ class BuildProgress {
         char close = 0; // stays 0 if the line is not complete yet
         if (std::sscanf(output.c_str() + at, "[%d/%d%c", &done, &of, &close) != 3) return;
         if (!progress_) progress_.emplace("building", of, "files", 1);
-        progress_->update(done);
+        progress_->update(done, of); // Ninja may find more to do on its way
     }
 
   private:

@@ -24,6 +24,25 @@ TEST_F(Cli, OnlyTheBuildForGdbStopsAtAPath) {
     EXPECT_EQ(raylab("debug 02 " + in("s.json")).code, 2);
 }
 
+TEST_F(Cli, ProgressIsNeverWiderThanTheTerminal) {
+    const auto render = [&](const std::vector<int>& widths) {
+        return run_on_terminal(std::string(RAYLAB_PROGRAM) + " render 02 cornell --spp 100000 -o " +
+                                   in("o.exr") + " & sleep 2.5; kill -TERM $!; wait $!",
+                               widths);
+    };
+    for (const int width : {20, 80, 300}) {
+        const Outcome outcome = render({width});
+        EXPECT_EQ(outcome.code, 143) << outcome.text;
+        const int widest = widest_progress(outcome.text);
+        EXPECT_GT(widest, 0) << "no progress was shown";
+        EXPECT_LT(widest, width);
+        if (width == 300) {
+            EXPECT_GT(widest, 60) << "facts were cut without need";
+        }
+    }
+    EXPECT_LT(widest_progress(render({30, 12, 7, 12}).text), 30);
+}
+
 TEST_F(Cli, WrongScenesAreRefusedWithTheirPlace) {
     const struct {
         std::string from, to;

@@ -5,12 +5,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace raylab {
+
+namespace {
+
+int terminal_columns() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+} // namespace
 
 Progress::Progress(std::string label, int steps, std::string unit, double scale,
                    double seconds_between_lines)
@@ -29,8 +40,11 @@ double Progress::seconds() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Progress::update(int done) {
+void Progress::update(int done) { update(done, steps_); }
+
+void Progress::update(int done, int steps) {
     const std::lock_guard lock(mutex_);
+    steps_ = steps;
     done_ = done;
     show();
 }
@@ -46,14 +60,27 @@ std::string Progress::facts() const {
     std::string rate = human_count(done_ * scale_ / seconds());
     if (rate.back() != ' ') rate += ' ';
     return fmt::format("{}{}/s, {} left", rate, unit_,
-                       human_duration(seconds() / done_ * (steps_ - done_)));
+                       human_duration(seconds() / done_ * std::max(0, steps_ - done_)));
+}
+
+// As much as there is room for: first the facts go, then the bar.
+std::string Progress::line(double percent, int columns) const {
+    constexpr int width = 24;
+    const int filled = index_of(width * percent / 100, width + 1);
+    const std::string bar = fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", width - filled);
+    const std::string share = fmt::format("{:3.0f} %", percent);
+    const std::size_t room = static_cast<std::size_t>(std::max(1, columns - 1));
+    for (const std::string& text : {label_ + " " + bar + share + "  " + facts(),
+                                    label_ + " " + bar + share, label_ + " " + share})
+        if (text.size() <= room) return text;
+    return share.size() <= room ? share : "";
 }
 
 void Progress::show() {
     if (interrupted()) return; // the code that keeps the finished work prints now
     const Clock::time_point now = Clock::now();
     const double since = std::chrono::duration<double>(now - shown_).count();
-    const double percent = steps_ > 0 ? 100.0 * done_ / steps_ : 100.0;
+    const double percent = steps_ > 0 ? std::min(100.0, 100.0 * done_ / steps_) : 100.0;
     if (!on_terminal_) {
         if (since < seconds_between_lines_ || done_ >= steps_) return;
         shown_ = now;
@@ -65,10 +92,7 @@ void Progress::show() {
     if (seconds() < 1 || (since < 0.1 && done_ < steps_)) return;
     shown_ = now;
     drawn_ = true;
-    constexpr int width = 24;
-    const int filled = index_of(width * percent / 100, width + 1);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}", label_, "", filled, "",
-               width - filled, percent, facts());
+    fmt::print(stderr, "\r\033[K{}", line(percent, terminal_columns()));
     std::fflush(stderr);
 }
 

@@ -7,9 +7,10 @@
 
 namespace raylab {
 
-// On a terminal, one line on standard error, which is drawn again and again and removed by the
-// destructor. Elsewhere, a new line about every ten seconds, so that a log shows that the work goes
-// on; short work prints nothing into a pipe. Any thread may call.
+// On a terminal, one line on standard error, which is drawn again and again, never wider than the
+// terminal is at that moment, and removed by the destructor. Elsewhere, a new line about every ten
+// seconds, so that a log shows that the work goes on; short work prints nothing into a pipe. Any
+// thread may call.
 class Progress {
   public:
     // unit: what is counted, in the plural ("samples"); scale: how many of them one step is worth.
@@ -19,9 +20,10 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void update(int done); // steps so far
-    void tick();           // shows how time goes by while a step takes long
-    void clear();          // takes the line away, so that something else can be printed
+    void update(int done);            // steps so far
+    void update(int done, int steps); // and how many there are, if that has changed
+    void tick();                      // shows how time goes by while a step takes long
+    void clear();                     // takes the line away, so that something else can be printed
 
     double seconds() const; // since construction
 
@@ -29,6 +31,7 @@ class Progress {
     using Clock = std::chrono::steady_clock;
     void show();
     std::string facts() const;
+    std::string line(double percent, int columns) const;
 
     std::string label_, unit_;
     int steps_, done_ = 0;

@@ -42,12 +42,22 @@ TEST(Check, WrongUsageIsRefused) {
         expect(command + " --help", 0, {"Examples"});
 }
 
+TEST(Check, OnATerminalIsTheSame) {
+    for (const int width : {20, 80, 300}) {
+        const Outcome outcome =
+            app::run_on_terminal(std::string(RAYLAB_CHECK_PROGRAM) + " check 02", {80, width});
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        EXPECT_NE(outcome.text.find("100 of 100 points"), std::string::npos) << outcome.text;
+        EXPECT_LT(app::widest_progress(outcome.text), std::max(80, width));
+    }
+}
+
 TEST(Help, OfTheScriptHasALineForEveryCommand) {
     const Outcome help = run_in_shell("./raylab --help");
     EXPECT_EQ(help.code, 0);
     for (const std::string command :
          {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
-          "bench-rays", "rare-cases", "prove", "release"})
+          "bench-rays", "rare-cases", "prove", "release", "run", "debug", "import", "vendor"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }

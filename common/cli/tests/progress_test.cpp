@@ -50,6 +50,19 @@ TEST(Progress, GoesOnWithinAStep) {
     EXPECT_THAT(lines, HasSubstr("02 cornell: 0 %, 0.1 s so far\n"));
 }
 
+// As when Ninja finds more to do than it said first.
+TEST(Progress, MoreStepsThanSaidAreNoMoreThanAll) {
+    testing::internal::CaptureStderr();
+    {
+        Progress progress("building", 2, "files", 1, 0.05);
+        wait(60);
+        progress.update(3, 4);
+        wait(60);
+        progress.update(5);
+    }
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), MatchesRegex("building: 75 %, .* left\n"));
+}
+
 TEST(HumanDuration, HasHours) {
     EXPECT_EQ(human_duration(0.84), "0.8 s");
     EXPECT_EQ(human_duration(3000), "50 min 0 s");
