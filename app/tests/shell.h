@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#if defined(__APPLE__)
+#include <util.h>
+#else
 #include <pty.h>
+#endif
 #include <string>
 #include <sys/ioctl.h>
 #include <sys/wait.h>

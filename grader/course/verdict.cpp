@@ -139,13 +139,13 @@ std::vector<std::string> watched_mistakes(const std::vector<simt::Finding>& find
 }
 
 TestOutcome run_test_once(const std::string& name, const std::string& order,
-                          const fs::path& program, const fs::path& folder, double limit_seconds) {
+                          const fs::path& program, const LabSheet& sheet, double limit_seconds) {
     const TemporaryFile file, findings;
     bool began = false; // looked for as output comes, since only the end of long output is kept
     const ProcessResult process = run_process(
         {"env", "RAYLAB_FINDINGS=" + findings.path(), "RAYLAB_ORDER=" + order, program.string(),
          "--gtest_filter=" + name, "--gtest_color=no", "--gtest_output=json:" + file.path()},
-        {limit_seconds, folder, [&](const std::string& output) {
+        {limit_seconds, sheet.root, [&](const std::string& output) {
              began = began || output.find("[ RUN      ] " + name) != output.npos;
          }});
     const Report report = read_report(read_file(file.path()));
@@ -171,8 +171,8 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
     else if (process.signal != 0)
         outcome.facts = {fmt::format("{} crashed ({}); the likely cause: an index outside its "
                                      "array, or a recursion that never ends. "
-                                     "RAYLAB_PRESET=check ./raylab check names the line",
-                                     name, strsignal(process.signal))};
+                                     "RAYLAB_PRESET=check ./raylab check {} names the line",
+                                     name, strsignal(process.signal), sheet.number)};
     else if (!report.completed && process.output.find("] " + name + " (") != std::string::npos)
         did_not_run(name, "it ended, but its report could not be written: is the disk full?");
     else if (!report.completed)
@@ -190,11 +190,11 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
 
 // A kernel gives one result, whichever of its threads comes first. So a test that passes runs again
 // with the threads in reverse order; one without a kernel does not.
-TestOutcome run_test(const std::string& name, const fs::path& program, const fs::path& folder,
+TestOutcome run_test(const std::string& name, const fs::path& program, const LabSheet& sheet,
                      double limit_seconds) {
-    const TestOutcome forward = run_test_once(name, "forward", program, folder, limit_seconds);
+    const TestOutcome forward = run_test_once(name, "forward", program, sheet, limit_seconds);
     if (!forward.passed || !forward.launches) return forward;
-    TestOutcome reverse = run_test_once(name, "reverse", program, folder, limit_seconds);
+    TestOutcome reverse = run_test_once(name, "reverse", program, sheet, limit_seconds);
     for (std::string& fact : reverse.facts)
         fact = "where the CUDA threads run in reverse order, which must change nothing: " + fact;
     return reverse;
@@ -235,7 +235,7 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& p
     std::vector<Stub> own, needed;
     const auto start = std::chrono::steady_clock::now();
     for (const std::string& name : list_tests(task, program, sheet.root)) {
-        const TestOutcome test = run_test(name, program, sheet.root, patience * test_limit_seconds);
+        const TestOutcome test = run_test(name, program, sheet, patience * test_limit_seconds);
         ++result.tests;
         result.passed += test.passed;
         // A test that met a stub that it needs shows nothing more than this stub.
