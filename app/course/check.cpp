@@ -1,7 +1,11 @@
 // raylab check LAB [TASK]: NOT IMPLEMENTED, WRONG or PASS for each task, in seconds.
 #include "app/course/check_run.h"
 #include "app/course/commands.h"
+#include "app/course/marks_of.h"
+#include "common/cli/files.h"
 #include "common/load/suggest.h"
+#include "grader/course/contains.h"
+#include "grader/results/formats.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +22,32 @@ namespace {
 struct CheckOptions {
     std::string lab, task, machine = "plain";
     bool watch = false, json = false;
+    std::vector<std::string> writes; // FORMAT:FILE
+};
+
+// The files of marks that were asked for.
+class MarkFiles {
+  public:
+    explicit MarkFiles(const std::vector<std::string>& asked) {
+        for (const std::string& text : asked) {
+            const std::size_t colon = text.find(':');
+            const std::string format = text.substr(0, colon);
+            if (colon == text.npos || colon + 1 == text.size())
+                throw CourseError(fmt::format("--write {}: expected FORMAT:FILE", text));
+            if (!contains(mark_formats(), format))
+                throw CourseError(fmt::format(
+                    "--write {}: there is no format '{}'{}; the formats are {}", text, format,
+                    did_you_mean(format, mark_formats()), listed(mark_formats())));
+            files_.push_back({format, text.substr(colon + 1)});
+            prepare_output(files_.back().second);
+        }
+    }
+    void write(const Marks& marks) const {
+        for (const auto& [format, file] : files_) write_file(file, write_marks(format, marks));
+    }
+
+  private:
+    std::vector<std::pair<std::string, std::string>> files_;
 };
 
 std::vector<std::string> asked_tasks(const LabSheet& sheet, const std::string& task) {
@@ -58,12 +88,29 @@ void wait_for_change(const fs::path& folder, const Snapshot& before) {
     }
 }
 
+// Whatever happens, the files say it: platforms see nothing else.
+CheckReport check_and_write(const Tree& tree, const LabSheet& sheet,
+                            const std::vector<std::string>& ids, const CheckOptions& options) {
+    const MarkFiles files(options.writes);
+    files.write(no_marks(sheet, ids, "the grader was stopped before it was done"));
+    try {
+        const CheckReport report =
+            check_tasks(tree, sheet, ids, options.machine == "watch" ? 20 : 1,
+                        [&](const CheckReport& so_far) { files.write(marks_of(so_far, ids)); });
+        files.write(marks_of(report, ids));
+        return report;
+    } catch (const std::exception& error) {
+        files.write(no_marks(sheet, ids, error.what()));
+        throw;
+    }
+}
+
 ExitCode run_check(const Tree& tree, const CheckOptions& options) {
     for (;;) {
         const LabSheet sheet = find_lab(tree.root, options.lab);
         const Snapshot before(sheet.path());
-        const CheckReport report = check_tasks(tree, sheet, asked_tasks(sheet, options.task),
-                                               options.machine == "watch" ? 20 : 1);
+        const CheckReport report =
+            check_and_write(tree, sheet, asked_tasks(sheet, options.task), options);
         if (options.json)
             fmt::print("{}\n", to_json(report));
         else
@@ -84,6 +131,10 @@ Run add_check(CLI::App& app, const Tree& tree) {
     app.add_option("TASK", options->task, "one task, such as 2.3 (default: all)");
     app.add_flag("--watch", options->watch, "check again whenever a file of the lab changes");
     app.add_flag("--json", options->json, "print a JSON object");
+    app.add_option("--write", options->writes,
+                   "FORMAT:FILE, a file of marks, may be given again; formats: " +
+                       fmt::format("{}", fmt::join(mark_formats(), ", ")))
+        ->allow_extra_args(false);
     app.add_option(
            "--machine", options->machine,
            "plain, or watch: looks at every load and store, slower (the script chooses the build)")
@@ -91,6 +142,7 @@ Run add_check(CLI::App& app, const Tree& tree) {
         ->capture_default_str();
     app.footer("Examples:\n  raylab check 02\n  raylab check 02 2.3 --watch\n"
                "  raylab check 03 --machine watch    races and unwritten memory are wrong, too\n"
+               "  raylab check 02 --write gradescope:results.json --write junit:marks.xml\n"
                "Exit code 0: all tasks asked for pass; 1: not all, or the lab does not compile;\n"
                "3: a test did not run, and nothing is said about the lab.");
     return [options, tree] { return run_check(tree, *options); };

@@ -104,7 +104,8 @@ bool CheckReport::passed() const {
 }
 
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
-                        const std::vector<std::string>& ids, double patience) {
+                        const std::vector<std::string>& ids, double patience,
+                        const std::function<void(const CheckReport&)>& after_task) {
     CheckReport report{sheet, "", {}, 0, 0};
     const ProcessResult build = build_target(tree, sheet.test_target);
     report.build_seconds = build.seconds;
@@ -120,6 +121,7 @@ CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
     for (const std::string& id : ids) {
         report.results.push_back(judge_task(sheet, *sheet.find(id), program, patience));
         report.test_seconds += report.results.back().seconds;
+        if (after_task) after_task(report);
         progress.update(static_cast<int>(report.results.size()));
     }
     say_what_is_needed_first(report.results);

@@ -4,6 +4,7 @@
 #include "common/cli/exit_codes.h"
 #include "grader/course/verdict.h"
 
+#include <functional>
 #include <optional>
 
 namespace raylab::app {
@@ -23,9 +24,11 @@ struct CheckReport {
 };
 
 // Builds the lab's tests and judges the tasks with these ids. Throws CourseError for what is wrong
-// with the lab's sheet, std::runtime_error if the build itself cannot be run.
+// with the lab's sheet, std::runtime_error if the build itself cannot be run. `after_task` gets
+// what is known after each task.
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
-                        const std::vector<std::string>& ids, double patience = 1);
+                        const std::vector<std::string>& ids, double patience = 1,
+                        const std::function<void(const CheckReport&)>& after_task = {});
 
 // For people: one line a task, facts beneath.
 std::string to_text(const CheckReport& report);

@@ -42,6 +42,26 @@ TEST(Check, WrongUsageIsRefused) {
         expect(command + " --help", 0, {"Examples"});
 }
 
+TEST(Check, WritesMarksInThePlatformsFormats) {
+    const fs::path folder = fs::path(testing::TempDir()) / "raylab_marks";
+    fs::remove_all(folder);
+    const auto in = [&](const char* name) { return (folder / name).string(); };
+    expect("check 02 2.5 2>&1 --write gradescope:" + in("g.json") + " --write csv:" + in("m.csv"),
+           0, {"PASS"});
+    std::ifstream csv(in("m.csv"));
+    std::string names, values;
+    std::getline(csv, names);
+    std::getline(csv, values);
+    EXPECT_EQ(values, "\"02_iterative\",15,15,\"\",\"raylab check\",15,PASS\r");
+    std::ifstream json(in("g.json"));
+    const std::string text{std::istreambuf_iterator<char>(json), {}};
+    EXPECT_NE(text.find("\"score\": 15"), std::string::npos) << text;
+    expect("check 02 --write gradscope:" + in("x"), 2, {"did you mean", "gradescope"});
+    expect("check 02 --write gradescope", 2, {"FORMAT:FILE"});
+    expect("check 02 --write junit:/proc/none/x", 2, {"/proc/none"});
+    fs::remove_all(folder);
+}
+
 TEST(Check, OnATerminalIsTheSame) {
     for (const int width : {20, 80, 300}) {
         const Outcome outcome =

@@ -1,0 +1,18 @@
+// Texts of submissions, made fit for a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raylab {
+
+// At most `bytes`, cut between two characters of UTF-8, with a word that something is missing.
+std::string shortened(const std::string& text, std::size_t bytes);
+
+// Valid UTF-8 without control characters except tab and line break: each other byte becomes U+FFFD.
+std::string clean_utf8(std::string_view text);
+
+// clean_utf8() as it may stand in XML, between tags and in attributes.
+std::string escape_xml(std::string_view text);
+
+} // namespace raylab
