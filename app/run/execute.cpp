@@ -78,7 +78,7 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
             fs::remove(entry.path());
     const double limit = options.time_limit * mode.patience;
     const bool compares = options.order.empty() && !order.empty(); // all orders
-    Execution execution{compares ? "order" : mode.name, order, {}, {}, {}, {}};
+    Execution execution{compares ? "order" : mode.name, order, {}, {}, {}, {}, {}};
     Environment environment;
     environment.set("RAYLAB_FINDINGS", findings.string());
     environment.set("RAYLAB_TIME_LIMIT", fmt::format("{}", limit));
@@ -125,6 +125,7 @@ Execution execute(const Mode& mode, const fs::path& program, const std::string& 
     if (fs::exists(findings)) {
         simt::FindingsFile file = simt::parse_findings(read_file(findings.string()));
         execution.findings = simt::folded(file.findings);
+        execution.costs = std::move(file.costs);
         if (file.summary && file.summary->launches > 0) execution.summary = file.summary;
     }
     return execution;

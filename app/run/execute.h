@@ -15,6 +15,7 @@ struct Execution {
     ProcessResult process;
     std::vector<simt::Finding> findings;
     std::optional<simt::RunSummary> summary; // empty: no kernel was run
+    std::vector<simt::AccessCost> costs;     // of the mode memory
     std::string raw;                         // what sanitizers wrote
 };
 

@@ -57,6 +57,8 @@ std::string to_json(const Result& result) {
         run["exit_code"] = execution.process.exit_code;
         run["signal"] = execution.process.signal;
         run["checked"] = Json::parse(to_json_line(execution.summary.value_or(simt::RunSummary{})));
+        for (const simt::AccessCost& cost : execution.costs)
+            run["accesses"].push_back(Json::parse(to_json_line(cost)));
         runs.push_back(run);
     }
     return dumped({{"sources", result.sources},

@@ -1,6 +1,6 @@
 // What clang reads in front of a program by anybody: editor.h, then the machine's headers by
-// NVIDIA's names, so that their functions count as functions of a GPU, whichever of them the program
-// includes. Nothing is compiled with this header.
+// NVIDIA's names, so that their functions count as functions of a GPU, whichever of them the
+// program includes. Nothing is compiled with this header.
 #pragma once
 
 #include "common/simt/editor.h"

@@ -60,6 +60,19 @@ Finding finding_of(const Json& json) {
     return finding;
 }
 
+AccessCost cost_of(const Json& json) {
+    return {json.at("kernel"),
+            json.at("memory"),
+            json.at("access"),
+            place_of(json),
+            json.at("bytes"),
+            json.at("requests"),
+            json.at("threads_per_warp"),
+            json.value("sectors_per_request", 0.0),
+            json.value("least_sectors_per_request", 0.0),
+            json.value("bank_conflicts", std::uint64_t{0})};
+}
+
 } // namespace
 
 const char* name(Severity severity) {
@@ -93,6 +106,22 @@ std::string to_json_line(const RunSummary& summary) {
         .dump();
 }
 
+std::string to_json_line(const AccessCost& cost) {
+    Json json = {{"requests", cost.requests}, {"kernel", cost.kernel}};
+    json.update(to_json(cost.place));
+    json["memory"] = cost.memory;
+    json["access"] = cost.access;
+    json["bytes"] = cost.bytes;
+    json["threads_per_warp"] = cost.threads_per_warp;
+    if (cost.memory == "shared") {
+        json["bank_conflicts"] = cost.bank_conflicts;
+    } else {
+        json["sectors_per_request"] = cost.sectors_per_request;
+        json["least_sectors_per_request"] = cost.least_sectors_per_request;
+    }
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 FindingsFile parse_findings(const std::string& lines) {
     FindingsFile file;
     std::istringstream text(lines);
@@ -102,6 +131,8 @@ FindingsFile parse_findings(const std::string& lines) {
             if (!json.is_object()) continue;
             if (json.contains("kind"))
                 file.findings.push_back(finding_of(json));
+            else if (json.contains("requests"))
+                file.costs.push_back(cost_of(json));
             else if (json.contains("launches"))
                 file.summary = {json.at("launches"), json.at("threads"), json.at("allocations"),
                                 json.at("bytes")};

@@ -56,17 +56,31 @@ struct RunSummary {
     std::uint64_t allocations = 0, bytes = 0;
 };
 
+// What one access of a kernel cost, over all launches: `raylab run --machine memory`. The model is
+// that of watch/traffic.h, the names are Nsight Compute's.
+struct AccessCost {
+    std::string kernel, memory, access; // "global" or "shared"; "read" or "write"
+    SourcePlace place;
+    unsigned bytes = 0; // of one thread's access
+    std::uint64_t requests = 0;
+    double threads_per_warp = 0;
+    double sectors_per_request = 0, least_sectors_per_request = 0; // of global memory
+    std::uint64_t bank_conflicts = 0;                              // of shared memory
+};
+
 const char* name(Severity severity);
 
 // One object on one line, without its line break; what is not known is left out.
 std::string to_json_line(const Finding& finding);
 std::string to_json_line(const RunSummary& summary);
+std::string to_json_line(const AccessCost& cost);
 
 // What lines of JSON say. A summary repeats with larger numbers: the last one holds. Lines that are
 // cut off or of another kind are passed over.
 struct FindingsFile {
     std::vector<Finding> findings;
     std::optional<RunSummary> summary;
+    std::vector<AccessCost> costs;
 };
 FindingsFile parse_findings(const std::string& lines);
 

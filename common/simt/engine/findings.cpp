@@ -65,6 +65,8 @@ void record(Finding finding) {
     out().write(to_json_line(finding));
 }
 
+void record(const AccessCost& cost) { out().write(to_json_line(cost)); }
+
 bool records_findings() { return out().is_open(); }
 
 // Written again whenever the number of launches has doubled, for programs that are killed.
@@ -82,8 +84,8 @@ void count_allocation(std::uint64_t bytes) {
 
 void write_summary() {
     if (!out().is_open()) return;
-    out().write(
-        to_json_line({counts().launches, counts().threads, counts().allocations, counts().bytes}));
+    out().write(to_json_line(
+        RunSummary{counts().launches, counts().threads, counts().allocations, counts().bytes}));
 }
 
 } // namespace raylab::simt

@@ -10,6 +10,7 @@ namespace raylab::simt {
 // Writes the finding, with the machine's mode unless it has one, to the file named by
 // RAYLAB_FINDINGS; does nothing without one. Any thread may call.
 void record(Finding finding);
+void record(const AccessCost& cost);
 
 // Whether anybody reads findings.
 bool records_findings();

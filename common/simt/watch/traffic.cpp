@@ -82,18 +82,6 @@ void TrafficCounter::put_together(Traffic& traffic, const Addresses& addresses) 
     }
 }
 
-void add_traffic(const std::string& kernel, const std::map<SourcePlace, Traffic>& lines) {
-    using Kernels = std::map<std::string, std::map<SourcePlace, Traffic>>;
-    static Kernels* kernels = [] {
-        std::atexit([] {
-            for (const auto& [name, all] : *kernels)
-                std::fputs(traffic_table(name, all).c_str(), stderr);
-        });
-        return new Kernels;
-    }();
-    for (const auto& [place, traffic] : lines) (*kernels)[kernel][place] += traffic;
-}
-
 std::string traffic_table(const std::string& kernel, const std::map<SourcePlace, Traffic>& lines) {
     std::vector<std::pair<SourcePlace, Traffic>> rows(lines.begin(), lines.end());
     const auto cost = [](const Traffic& t) { return t.sectors + t.wavefronts; };

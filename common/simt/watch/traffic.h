@@ -55,7 +55,8 @@ class TrafficCounter {
     std::map<std::pair<uint32_t, int>, Addresses> open_; // by site and warp
 };
 
-// Adds a launch to what is known of its kernel; all is written to stderr when the program ends.
+// Adds a launch to what is known of its kernel; when the program ends, all is written to stderr,
+// and to the file of findings.
 void add_traffic(const std::string& kernel, const std::map<SourcePlace, Traffic>& lines);
 
 // A table for people: a line of the source each, the most sectors and conflicts first.
