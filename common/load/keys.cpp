@@ -6,8 +6,8 @@ namespace raylab {
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
     static const std::map<std::string, std::vector<std::string>> keys{
         {"scene",
-         {"$schema", "version", "title", "reason", "camera", "film", "render", "materials",
-          "shapes", "lights", "expect"}},
+         {"version", "title", "reason", "camera", "film", "render", "materials", "shapes", "lights",
+          "expect", "$schema"}},
         {"camera", {"position", "look_at", "up", "vfov_deg", "lens_radius", "focus_distance"}},
         {"film", {"width", "height"}},
         {"render",
