@@ -1,4 +1,5 @@
-// Reads clang's "f.cu:5:7: error: text", and the note that follows; see host_code.h.
+// Reads clang's "f.cu:5:7: error: text", and the note that follows, and two of its warnings; see
+// host_code.h.
 #include "app/run/host_code.h"
 
 #include "common/cli/files.h"
@@ -27,7 +28,7 @@ struct ClangLine {
 };
 
 std::vector<ClangLine> lines_of(const std::string& words) {
-    static const std::regex said(R"(^(.+?):(\d+):(\d+): (fatal error|error|note): (.*)$)");
+    static const std::regex said(R"(^(.+?):(\d+):(\d+): (fatal error|error|warning|note): (.*)$)");
     std::vector<ClangLine> lines;
     std::istringstream stream(words);
     for (std::string line; std::getline(stream, line);) {
@@ -46,6 +47,26 @@ std::string quoted(const std::string& text) {
 
 std::string user(const std::string& attribute) { // in words
     return attribute == "__global__" ? "a kernel" : "a function of the GPU";
+}
+
+// One of the warnings that are asked for below.
+Finding meaning_of_warning(const ClangLine& warning) {
+    Finding finding;
+    finding.severity = simt::Severity::warning;
+    finding.place = warning.place;
+    const std::size_t option = warning.text.rfind(" [-W");
+    if (warning.text.find("-Wuninitialized]") != std::string::npos) {
+        finding.kind = "uninitialised-local";
+        finding.message = fmt::format("the local variable {} is used before it has a value",
+                                      quoted(warning.text));
+        finding.advice = "give it a value where it is declared";
+    } else {
+        finding.kind = "printf-format";
+        finding.message = "printf: " + warning.text.substr(0, option);
+        finding.advice = "let format and argument agree: %d for int, %u for unsigned, %zu for "
+                         "size_t, %g for float and double";
+    }
+    return finding;
 }
 
 // The error, and the note that says why, if there is one; no kind: it is about something else.
@@ -110,8 +131,11 @@ std::vector<Finding> findings_of_clang(const std::string& words,
     const std::vector<ClangLine> lines = lines_of(words);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!lines[i].is_error) continue;
-        const ClangLine* why = reason(lines, i);
-        const Finding finding = meaning(lines[i], why);
+        const bool warns =
+            lines[i].text.ends_with("]") && lines[i].text.find(" [-W") != std::string::npos;
+        const ClangLine* why = warns ? nullptr : reason(lines, i);
+        const Finding finding = warns ? meaning_of_warning(lines[i]) : meaning(lines[i], why);
+        if (warns && is_foreign(finding.place.file)) continue;
         if (finding.kind.empty() || is_foreign(finding.place.file) ||
             (why && is_foreign(why->place.file)))
             understood = false;
@@ -133,7 +157,9 @@ HostCode host_code_in_kernels(const Tree& tree, const RunOptions& options,
                                         "-Xclang",
                                         "-fcuda-allow-variadic-functions",
                                         "-fsyntax-only",
-                                        "-w",
+                                        "-Wno-everything",
+                                        "-Wuninitialized",
+                                        "-Wformat",
                                         "-ferror-limit=0",
                                         "-fno-caret-diagnostics",
                                         "-I",

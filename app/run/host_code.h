@@ -3,6 +3,8 @@
 //
 // On the CPU machine all of these just work: everything is one memory and one kind of function.
 // clang knows CUDA's rules; it reads the program with the machine's headers and compiles nothing.
+// By the way it warns of local variables without a value, and of printf() whose format is not that
+// of its arguments, as nvcc does.
 #pragma once
 
 #include "app/run/run_options.h"

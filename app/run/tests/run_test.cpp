@@ -174,6 +174,20 @@ TEST(HostCode, IsTheProgramsOwnAlone) {
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].kind, "device-function");
     EXPECT_FALSE(understood);
+
+    // Warnings are findings, of the program alone, and no reason to read no further.
+    findings = read("a.cu:8:5: warning: variable 'sum' is uninitialized when used here "
+                    "[-Wuninitialized]\n"
+                    "/usr/include/x.h:1:1: warning: variable 'x' is uninitialized when used here "
+                    "[-Wuninitialized]\n"
+                    "a.cu:9:5: warning: format specifies type 'int' but the argument has type "
+                    "'float' [-Wformat]\n");
+    ASSERT_EQ(findings.size(), 2u);
+    EXPECT_EQ(findings[0].kind, "uninitialised-local");
+    EXPECT_THAT(findings[0].message, HasSubstr("variable sum is used before"));
+    EXPECT_EQ(findings[1].kind, "printf-format");
+    EXPECT_EQ(findings[1].severity, simt::Severity::warning);
+    EXPECT_TRUE(understood);
 }
 
 TEST(Output, AnnotationsEscapeWhatEndsThem) {
