@@ -72,11 +72,16 @@ std::string cached(const fs::path& cache, const std::string& name) {
 } // namespace
 
 const Mode& mode_named(const std::string& name) {
-    // What a student writes is compiled with assert(), and so that its lines are still there.
-    static const std::string debug = " -UNDEBUG -g1 -fno-omit-frame-pointer -w -Wno-error";
+    // What a student writes is compiled with assert(), and so that its lines are still there. Local
+    // arrays that are larger than the guard below a stack must not reach beyond it.
+    static const std::string debug =
+        " -UNDEBUG -g1 -fno-omit-frame-pointer -fstack-clash-protection -w -Wno-error";
     static const Mode modes[] = {
         {"plain", "cpu", debug, 1},
-        {"bounds", "check", debug + " -O1 -fsanitize-recover=undefined", 3},
+        {"bounds", "check",
+         debug + " -O1 -fsanitize=float-cast-overflow "
+                 "-fsanitize-recover=undefined,float-cast-overflow",
+         3},
         {"watch", "watch", debug + " -O1", 6},
         {"races", "check-threads", debug + " -O1", 6},
         {"gdb", "cpu", " -UNDEBUG -O0 -g -w -Wno-error", 1, "plain"},

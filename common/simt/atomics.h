@@ -10,7 +10,19 @@
 #include <cstdint>
 #include <type_traits>
 
+#if defined(RAYLAB_CHECK_WATCH)
+extern "C" void raylab_checks_again(const volatile void* place); // watch/watcher.h
+#endif
+
 namespace raylab::simt {
+
+// The watch takes a plain read for harmless if an operation that announces itself here looks at the
+// place again (watch/race_book.h).
+inline void checks_again([[maybe_unused]] const volatile void* place) {
+#if defined(RAYLAB_CHECK_WATCH)
+    raylab_checks_again(place);
+#endif
+}
 
 // Replaces *address by update(*address), trying again while other threads get in between.
 template <class T, class Update> __forceinline__ T atomic_update(T* address, Update update) {
@@ -68,13 +80,16 @@ __forceinline__ unsigned atomicDec(unsigned* p, unsigned limit) {
     __forceinline__ T atomicOr(T* p, T v) { return __atomic_fetch_or(p, v, __ATOMIC_ACQ_REL); }    \
     __forceinline__ T atomicXor(T* p, T v) { return __atomic_fetch_xor(p, v, __ATOMIC_ACQ_REL); }  \
     __forceinline__ T atomicCAS(T* p, T compare, T v) {                                            \
+        raylab::simt::checks_again(p);                                                             \
         __atomic_compare_exchange_n(p, &compare, v, false, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);    \
         return compare;                                                                            \
     }                                                                                              \
     __forceinline__ T atomicMin(T* p, T v) {                                                       \
+        raylab::simt::checks_again(p);                                                             \
         return raylab::simt::atomic_update(p, [v](T old) { return v < old ? v : old; });           \
     }                                                                                              \
     __forceinline__ T atomicMax(T* p, T v) {                                                       \
+        raylab::simt::checks_again(p);                                                             \
         return raylab::simt::atomic_update(p, [v](T old) { return old < v ? v : old; });           \
     }
 
@@ -85,9 +100,11 @@ RAYLAB_ATOMICS(unsigned long long)
 #undef RAYLAB_ATOMICS
 
 __forceinline__ long long atomicMin(long long* p, long long v) {
+    raylab::simt::checks_again(p);
     return raylab::simt::atomic_update(p, [v](long long old) { return v < old ? v : old; });
 }
 __forceinline__ long long atomicMax(long long* p, long long v) {
+    raylab::simt::checks_again(p);
     return raylab::simt::atomic_update(p, [v](long long old) { return old < v ? v : old; });
 }
 

@@ -35,6 +35,7 @@ struct Launch {
     dim3 grid, block;
     size_t shared_bytes;      // dynamic shared memory
     bool cooperative = false; // all blocks run at the same time
+    cudaStream_t stream = nullptr;
 };
 
 // Runs thread_main(arguments) once for each CUDA thread of the launch.
@@ -154,8 +155,9 @@ struct KernelPlace {
 // `by_pointer` hands the kernel to its argument, `by_call` calls the kernel with its arguments.
 template <class ByPointer, class ByCall>
 inline auto launcher(ByPointer by_pointer, ByCall by_call, KernelPlace place, dim3 grid, dim3 block,
-                     size_t shared_bytes = 0, cudaStream_t = nullptr) {
-    Launch launch{place.name, place.file, place.line, nullptr, grid, block, shared_bytes, false};
+                     size_t shared_bytes = 0, cudaStream_t stream = nullptr) {
+    Launch launch{place.name, place.file,   place.line, nullptr, grid,
+                  block,      shared_bytes, false,      stream};
     if constexpr (std::is_invocable_v<ByPointer, ToFunctionPointer>) {
         auto kernel = by_pointer(ToFunctionPointer{});
         launch.function = reinterpret_cast<const void*>(kernel);

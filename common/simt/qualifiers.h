@@ -6,7 +6,11 @@
 // and plain statics. A worker is one operating system thread for as long as its block runs.
 #pragma once
 
+#if defined(RAYLAB_CHECK_WATCH) // which must know them from variables of host code
+#define __managed__ __attribute__((section("raylab_managed")))
+#else
 #define __managed__
+#endif
 #define __grid_constant__
 #define __forceinline__ inline __attribute__((always_inline))
 #define __align__(bytes) __attribute__((aligned(bytes)))

@@ -2,7 +2,7 @@
 //
 // Everything a stream is given is done at once, in the order of the calls. That is one of the
 // orders a GPU may choose, so a program that is right on a GPU is right here; a forgotten
-// synchronisation is not noticed here.
+// synchronisation changes nothing here, but the watch tells it (watch/concurrency.h).
 #pragma once
 
 #include "common/simt/device_prop.h"

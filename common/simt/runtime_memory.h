@@ -30,6 +30,19 @@ cudaError_t release_device(void* pointer, const Where& where); // device or mana
 // Makes a __device__ or __constant__ variable known as device memory.
 void register_symbol(const void* symbol, size_t bytes, const Where& where);
 
+// Where a call is to leave a pointer must be host memory; else tells it.
+void check_result(const char* call, void* result, const Where& where);
+
+// While one of these lives, the copies that its thread asks for are given to a stream, and nothing
+// waits for them.
+class InStream {
+  public:
+    explicit InStream(cudaStream_t stream);
+    ~InStream();
+    InStream(const InStream&) = delete;
+    InStream& operator=(const InStream&) = delete;
+};
+
 } // namespace raylab::simt
 
 // Device memory, aligned to 256 bytes, not initialised. 0 bytes, or an error, give a
@@ -38,6 +51,7 @@ template <class T>
 inline cudaError_t cudaMalloc(T** pointer, size_t bytes,
                               raylab::simt::Where where = raylab::simt::Where::here()) {
     void* memory = nullptr;
+    raylab::simt::check_result("cudaMalloc()", pointer, where);
     auto error = raylab::simt::allocate(&memory, bytes, raylab::simt::MemoryKind::device, where);
     *pointer = static_cast<T*>(memory);
     return error;
@@ -52,6 +66,7 @@ template <class T>
 inline cudaError_t cudaMallocHost(T** pointer, size_t bytes,
                                   raylab::simt::Where where = raylab::simt::Where::here()) {
     void* memory = nullptr;
+    raylab::simt::check_result("cudaMallocHost()", pointer, where);
     auto error =
         raylab::simt::allocate(&memory, bytes, raylab::simt::MemoryKind::pinned_host, where);
     *pointer = static_cast<T*>(memory);
@@ -62,7 +77,8 @@ inline cudaError_t cudaFreeHost(void* pointer,
     return raylab::simt::release(pointer, raylab::simt::MemoryKind::pinned_host, where);
 }
 
-// Every copy is done when the call returns, also the "Async" ones. Ranges that are not where `kind`
+// Every copy is done when the call returns, also the "Async" ones, but the watch remembers in which
+// stream they would be. Ranges that are not where `kind`
 // says, or leave their allocation, give cudaErrorInvalidValue and a report.
 cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
                        raylab::simt::Where where = raylab::simt::Where::here());
@@ -70,12 +86,14 @@ cudaError_t cudaMemset(void* to, int byte, size_t bytes,
                        raylab::simt::Where where = raylab::simt::Where::here());
 
 inline cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
-                                   cudaStream_t = nullptr,
+                                   cudaStream_t stream = nullptr,
                                    raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpy(to, from, bytes, kind, where);
 }
-inline cudaError_t cudaMemsetAsync(void* to, int byte, size_t bytes, cudaStream_t = nullptr,
+inline cudaError_t cudaMemsetAsync(void* to, int byte, size_t bytes, cudaStream_t stream = nullptr,
                                    raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemset(to, byte, bytes, where);
 }
 

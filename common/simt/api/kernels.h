@@ -36,10 +36,11 @@ std::string first_argument(CallText call);
 template <class... Params>
 inline cudaError_t launch_by_address(CallText text, void (*kernel)(Params...), dim3 grid,
                                      dim3 block, void** arguments, size_t shared_bytes,
-                                     bool cooperative, Where where) {
+                                     bool cooperative, cudaStream_t stream, Where where) {
     std::string name = first_argument(text);
     Launch launch{name.c_str(), where.file, where.line,   reinterpret_cast<const void*>(kernel),
-                  grid,         block,      shared_bytes, cooperative};
+                  grid,         block,      shared_bytes, cooperative,
+                  stream};
     [&]<size_t... I>(std::index_sequence<I...>) {
         run_with(
             launch, [kernel](const Params&... p) { call_kernel(kernel, p...); },
@@ -95,20 +96,20 @@ inline cudaError_t cudaOccupancyAvailableDynamicSMemPerBlock(size_t* bytes, Kern
 template <class... Params>
 inline cudaError_t cudaLaunchKernel(raylab::simt::CallText text, void (*kernel)(Params...),
                                     dim3 grid, dim3 block, void** arguments,
-                                    size_t shared_bytes = 0, cudaStream_t = nullptr,
+                                    size_t shared_bytes = 0, cudaStream_t stream = nullptr,
                                     raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::launch_by_address(text, kernel, grid, block, arguments, shared_bytes,
-                                           false, where);
+                                           false, stream, where);
 }
 // All blocks of the grid run at the same time, and may wait for each other: grid_group::sync().
 template <class... Params>
 inline cudaError_t
 cudaLaunchCooperativeKernel(raylab::simt::CallText text, void (*kernel)(Params...), dim3 grid,
                             dim3 block, void** arguments, size_t shared_bytes = 0,
-                            cudaStream_t = nullptr,
+                            cudaStream_t stream = nullptr,
                             raylab::simt::Where where = raylab::simt::Where::here()) {
     return raylab::simt::launch_by_address(text, kernel, grid, block, arguments, shared_bytes, true,
-                                           where);
+                                           stream, where);
 }
 inline cudaError_t cudaLaunchKernel(raylab::simt::CallText, const void*, dim3, dim3, void**,
                                     size_t = 0, cudaStream_t = nullptr,

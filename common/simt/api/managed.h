@@ -47,6 +47,7 @@ template <class T>
 inline cudaError_t cudaMallocManaged(T** pointer, size_t bytes, unsigned = cudaMemAttachGlobal,
                                      raylab::simt::Where where = raylab::simt::Where::here()) {
     void* memory = nullptr;
+    raylab::simt::check_result("cudaMallocManaged()", pointer, where);
     auto error = raylab::simt::allocate(&memory, bytes, raylab::simt::MemoryKind::managed, where);
     *pointer = static_cast<T*>(memory);
     return error;

@@ -56,6 +56,7 @@ inline T atomicCAS_system(T* address, std::type_identity_t<T> compare,
 }
 inline unsigned short atomicCAS(unsigned short* address, unsigned short compare,
                                 unsigned short value) {
+    raylab::simt::checks_again(address);
     __atomic_compare_exchange_n(address, &compare, value, false, __ATOMIC_ACQ_REL,
                                 __ATOMIC_ACQUIRE);
     return compare;

@@ -57,17 +57,20 @@ cudaError_t cudaMemset3D(cudaPitchedPtr to, int byte, cudaExtent extent,
 
 inline cudaError_t cudaMemcpy2DAsync(void* to, size_t to_pitch, const void* from, size_t from_pitch,
                                      size_t width, size_t height, cudaMemcpyKind kind,
-                                     cudaStream_t = nullptr,
+                                     cudaStream_t stream = nullptr,
                                      raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpy2D(to, to_pitch, from, from_pitch, width, height, kind, where);
 }
-inline cudaError_t cudaMemcpy3DAsync(const cudaMemcpy3DParms* copy, cudaStream_t = nullptr,
+inline cudaError_t cudaMemcpy3DAsync(const cudaMemcpy3DParms* copy, cudaStream_t stream = nullptr,
                                      raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpy3D(copy, where);
 }
 inline cudaError_t cudaMemset2DAsync(void* to, size_t pitch, int byte, size_t width, size_t height,
-                                     cudaStream_t = nullptr,
+                                     cudaStream_t stream = nullptr,
                                      raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemset2D(to, pitch, byte, width, height, where);
 }
 inline cudaError_t cudaMemcpyPeer(void* to, int, const void* from, int, size_t bytes,
@@ -75,21 +78,24 @@ inline cudaError_t cudaMemcpyPeer(void* to, int, const void* from, int, size_t b
     return cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice, where);
 }
 inline cudaError_t cudaMemcpyPeerAsync(void* to, int to_device, const void* from, int from_device,
-                                       size_t bytes, cudaStream_t = nullptr,
+                                       size_t bytes, cudaStream_t stream = nullptr,
                                        raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpyPeer(to, to_device, from, from_device, bytes, where);
 }
 template <class T>
 inline cudaError_t
 cudaMemcpyToSymbolAsync(T& symbol, const void* from, size_t bytes, size_t offset,
-                        cudaMemcpyKind kind, cudaStream_t = nullptr,
+                        cudaMemcpyKind kind, cudaStream_t stream = nullptr,
                         raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpyToSymbol(symbol, from, bytes, offset, kind, where);
 }
 template <class T>
 inline cudaError_t
 cudaMemcpyFromSymbolAsync(void* to, const T& symbol, size_t bytes, size_t offset,
-                          cudaMemcpyKind kind, cudaStream_t = nullptr,
+                          cudaMemcpyKind kind, cudaStream_t stream = nullptr,
                           raylab::simt::Where where = raylab::simt::Where::here()) {
+    const raylab::simt::InStream in(stream);
     return cudaMemcpyFromSymbol(to, symbol, bytes, offset, kind, where);
 }

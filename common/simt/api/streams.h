@@ -14,8 +14,8 @@ inline constexpr unsigned cudaEventBlockingSync = 1, cudaEventInterprocess = 4,
 using cudaStreamCallback_t = void (*)(cudaStream_t stream, cudaError_t status, void* data);
 using cudaHostFn_t = void (*)(void* data);
 
-inline cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned, int) {
-    return cudaStreamCreate(stream);
+inline cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned flags, int) {
+    return cudaStreamCreateWithFlags(stream, flags);
 }
 inline cudaError_t cudaStreamGetPriority(cudaStream_t, int* priority) {
     *priority = 0;
@@ -34,7 +34,8 @@ inline cudaError_t cudaStreamAddCallback(cudaStream_t stream, cudaStreamCallback
     callback(stream, cudaStreamQuery(stream), data);
     return cudaDeviceSynchronize();
 }
-inline cudaError_t cudaLaunchHostFunc(cudaStream_t, cudaHostFn_t function, void* data) {
+inline cudaError_t cudaLaunchHostFunc(cudaStream_t stream, cudaHostFn_t function, void* data) {
+    cudaStreamSynchronize(stream); // it comes after what the stream was given before
     function(data);
     return cudaDeviceSynchronize();
 }

@@ -6,8 +6,14 @@
 #include "common/simt/watch/events.h"
 
 #include <cstring>
+#include <optional>
 
 namespace raylab::simt {
+
+static thread_local std::optional<cudaStream_t> stream_of_copies;
+
+InStream::InStream(cudaStream_t stream) { stream_of_copies = stream; }
+InStream::~InStream() { stream_of_copies.reset(); }
 
 // What is wrong with one end of a copy, or nothing.
 static std::string wrong_end(const char* end, const void* pointer, size_t bytes,
@@ -49,7 +55,7 @@ cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind 
     if (!wrong.empty()) return refuse(cudaErrorInvalidValue, wrong);
     DeviceAccess access;
     std::memmove(to, from, bytes);
-    watch::wrote(to, bytes);
+    watch::copied(to, from, bytes, where, stream_of_copies);
     return cudaSuccess;
 }
 
@@ -60,6 +66,6 @@ cudaError_t cudaMemset(void* to, int byte, size_t bytes, Where where) {
     if (!wrong.empty()) return refuse(cudaErrorInvalidValue, wrong);
     DeviceAccess access;
     std::memset(to, byte, bytes);
-    watch::wrote(to, bytes);
+    watch::copied(to, nullptr, bytes, where, stream_of_copies);
     return cudaSuccess;
 }

@@ -5,6 +5,7 @@
 #include "common/simt/engine/block.h"
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/machine.h"
+#include "common/simt/engine/pages.h"
 #include "common/simt/engine/report.h"
 #include "common/simt/watch/events.h"
 
@@ -61,11 +62,15 @@ Finding leak(const Allocation& allocation) {
     return finding;
 }
 
-// The watch gives memory that is never handed out twice.
+// The watch gives memory that is never handed out twice, an ordinary build pages apart from the
+// host's, so that an index out of bounds ends the kernel at its line or spoils nothing of the
+// host's.
 void* take_memory(size_t bytes, [[maybe_unused]] const Where& where) {
 #if defined(RAYLAB_CHECK_WATCH)
     return watch::Watcher::get().allocate(bytes, alignment, where);
 #else
+    if (!check_build)
+        if (void* pointer = take_pages(bytes, alignment)) return pointer;
     return ::operator new(bytes + gap, std::align_val_t(alignment), std::nothrow);
 #endif
 }
@@ -73,7 +78,8 @@ void give_back(void* pointer, [[maybe_unused]] size_t bytes) {
 #if defined(RAYLAB_CHECK_WATCH)
     watch::Watcher::get().release(pointer, bytes);
 #else
-    ::operator delete(pointer, std::align_val_t(alignment));
+    if (check_build || !give_back_pages(pointer))
+        ::operator delete(pointer, std::align_val_t(alignment));
 #endif
 }
 
@@ -216,6 +222,8 @@ Memory& memory() {
 cudaError_t allocate(void** pointer, size_t bytes, MemoryKind kind, const Where& where) {
     if (sticky_error() != cudaSuccess) return sticky_error();
     if (bytes == 0) return cudaSuccess;
+    watch::order(
+        [](auto& order) { order.streams_wait_for_each_other(); }); // "Implicit Synchronization"
     *pointer = memory().allocate(bytes, kind, where);
     if (*pointer) {
         count_allocation(bytes);
@@ -225,7 +233,17 @@ cudaError_t allocate(void** pointer, size_t bytes, MemoryKind kind, const Where&
                   place(where) + ": error: no memory for " + std::to_string(bytes) + " bytes");
 }
 
+void check_result(const char* call, void* result, const Where& where) {
+    const Target target = look_up(result);
+    if (!target.known || target.kind != MemoryKind::device || target.offset >= target.bytes) return;
+    warn(place(where) + ": error: host code writes device memory: the pointer that " + call +
+         " gives would go to " + describe(target) +
+         "\n  to do: let an array of the host take the pointers, and copy it with cudaMemcpy()");
+    watch::wrote(result, sizeof(void*));
+}
+
 cudaError_t release(void* pointer, MemoryKind kind, const Where& where) {
+    watch::order([](auto& order) { order.host_waits_for_all(); });
     if (!pointer || memory().release(pointer, kind, where)) return sticky_error();
     Target target = look_up(pointer);
     const std::string freed = describe_freed(pointer);

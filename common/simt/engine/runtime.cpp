@@ -3,6 +3,7 @@
 
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/memory.h"
+#include "common/simt/watch/events.h"
 
 #include <chrono>
 
@@ -41,7 +42,10 @@ cudaError_t cudaSetDevice(int device) {
                                               "\n  expected: 0, the CPU machine");
 }
 
-cudaError_t cudaDeviceSynchronize() { return sticky_error(); }
+cudaError_t cudaDeviceSynchronize() {
+    watch::order([](auto& order) { order.host_waits_for_all(); });
+    return sticky_error();
+}
 
 cudaError_t cudaDeviceReset() {
     release_all();
@@ -50,23 +54,34 @@ cudaError_t cudaDeviceReset() {
 }
 
 cudaError_t cudaStreamCreate(cudaStream_t* stream) {
-    *stream = new CUstream_st;
-    return sticky_error();
+    return cudaStreamCreateWithFlags(stream, cudaStreamDefault);
 }
 
-cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned) {
-    return cudaStreamCreate(stream);
+cudaError_t cudaStreamCreateWithFlags(cudaStream_t* stream, unsigned flags) {
+    *stream = new CUstream_st;
+    watch::order([&](auto& order) { order.create(*stream, !(flags & cudaStreamNonBlocking)); });
+    return sticky_error();
 }
 
 cudaError_t cudaStreamDestroy(cudaStream_t stream) {
     if (!stream) return null_handle("stream");
+    watch::order([&](auto& order) { order.destroy(stream); });
     delete stream;
     return sticky_error();
 }
 
-cudaError_t cudaStreamSynchronize(cudaStream_t) { return sticky_error(); }
-cudaError_t cudaStreamQuery(cudaStream_t) { return sticky_error(); }
-cudaError_t cudaStreamWaitEvent(cudaStream_t, cudaEvent_t, unsigned) { return sticky_error(); }
+cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
+    watch::order([&](auto& order) { order.host_waits_for_stream(stream); });
+    return sticky_error();
+}
+
+// Says that all is done, after which a program need not wait.
+cudaError_t cudaStreamQuery(cudaStream_t stream) { return cudaStreamSynchronize(stream); }
+
+cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
+    watch::order([&](auto& order) { order.wait(stream, event); });
+    return sticky_error();
+}
 
 cudaError_t cudaEventCreate(cudaEvent_t* event) {
     *event = new CUevent_st;
@@ -85,15 +100,18 @@ cudaError_t cudaEventDestroy(cudaEvent_t event) {
     return sticky_error();
 }
 
-cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t) {
+cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream) {
     if (!event) return null_handle("event");
+    watch::order([&](auto& order) { order.record(event, stream); });
     event->recorded = true;
     event->time = Clock::now();
     return sticky_error();
 }
 
 cudaError_t cudaEventSynchronize(cudaEvent_t event) {
-    return event ? sticky_error() : null_handle("event");
+    if (!event) return null_handle("event");
+    watch::order([&](auto& order) { order.host_waits_for_event(event); });
+    return sticky_error();
 }
 
 cudaError_t cudaEventQuery(cudaEvent_t event) { return cudaEventSynchronize(event); }

@@ -47,6 +47,9 @@ struct Words {
 };
 
 Words words_for(const std::string& error, const Target& target) {
+    if (error == "alloc-dealloc-mismatch" || error == "bad-free") // the address is not told
+        return {"bad-free", "free() or delete is given memory that comes from elsewhere",
+                "give device memory to cudaFree()"};
     if (!current_block && target.is_device())
         return {"host-dereference", "host code uses a device pointer",
                 "copy with cudaMemcpy(), and use the copy"};
@@ -78,6 +81,7 @@ void record_address_error() {
     finding.message = std::string(words.what) + ": " + std::to_string(size) +
                       (size == 1 ? " byte is " : " bytes are ") +
                       (__asan_get_report_access_type() ? "written" : "read") + ", " + place;
+    if (finding.kind == "bad-free") finding.message = words.what;
     if (error.find("-size") != error.npos || error.find("overlap") != error.npos)
         finding.message = error; // of a call, not of an access
     record(std::move(finding));

@@ -1,6 +1,8 @@
 // What the watch counts and knows, against counts by hand: sectors and bank conflicts of known
-// patterns, and the order that barriers, fences and atomics make between threads.
+// patterns, and the order that barriers, fences and atomics make between threads, and streams and
+// events between launches.
 #include "common/simt/watch/block_clock.h"
+#include "common/simt/watch/stream_order.h"
 #include "common/simt/watch/traffic.h"
 
 #include <gtest/gtest.h>
@@ -109,6 +111,67 @@ TEST_F(Order, AFenceOfAllThreadsBeforeABarrierCountsForTheBlock) {
     clock.begin_block(4, 64);
     clock.pick_up(0, 4096);
     EXPECT_TRUE(clock.knows(0, other, time));
+}
+
+struct Streams : testing::Test {
+    StreamOrder order;
+    const char handles[4] = {};
+    StreamOrder::Stream one = handles, two = handles + 1, apart = handles + 2;
+    StreamOrder::Event event = handles + 3;
+    Streams() {
+        order.create(one, true);
+        order.create(two, true);
+        order.create(apart, false); // non-blocking
+    }
+    Operation issue(StreamOrder::Stream stream) { return order.issue(stream, {"k", "f.cu", 1}); }
+};
+
+TEST_F(Streams, KeepTheirOwnOrderAndNoOther) {
+    const Operation first = issue(one);
+    EXPECT_FALSE(order.host_knows(first) || order.host_knows_all());
+    issue(one);
+    EXPECT_TRUE(order.running_knows(first) && order.running_knows_all());
+    issue(two);
+    EXPECT_FALSE(order.running_knows(first) || order.running_knows_all());
+}
+
+TEST_F(Streams, TheDefaultStreamAndTheOthersWaitForEachOtherUnlessNonBlocking) {
+    const Operation in_one = issue(one), in_apart = issue(apart);
+    const Operation in_default = issue(nullptr);
+    EXPECT_TRUE(order.running_knows(in_one));
+    EXPECT_FALSE(order.running_knows(in_apart));
+    issue(two);
+    EXPECT_TRUE(order.running_knows(in_default) && order.running_knows(in_one));
+    issue(apart);
+    EXPECT_FALSE(order.running_knows(in_default));
+}
+
+TEST_F(Streams, AnEventOrdersWhatWasBeforeItAlone) {
+    const Operation before = issue(one);
+    order.record(event, one);
+    const Operation behind = issue(one);
+    order.wait(two, event);
+    issue(two);
+    EXPECT_TRUE(order.running_knows(before));
+    EXPECT_FALSE(order.running_knows(behind));
+    order.host_waits_for_event(event);
+    EXPECT_TRUE(order.host_knows(before));
+    EXPECT_FALSE(order.host_knows(behind));
+}
+
+TEST_F(Streams, WhatHostCodeWaitedForEverybodyKnows) {
+    const Operation in_one = issue(one), in_apart = issue(apart);
+    order.host_waits_for_stream(one);
+    EXPECT_TRUE(order.host_knows(in_one));
+    EXPECT_FALSE(order.host_knows(in_apart));
+    issue(two);
+    EXPECT_TRUE(order.running_knows(in_one));
+    order.host_waits_for_all();
+    EXPECT_TRUE(order.host_knows_all() && order.host_knows(in_apart));
+    const Operation later = issue(apart); // numbers go on
+    EXPECT_GT(later, in_apart);
+    EXPECT_TRUE(order.running_knows_all());
+    EXPECT_EQ(order.name(later).file, "f.cu");
 }
 
 } // namespace

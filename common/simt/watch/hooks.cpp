@@ -90,15 +90,15 @@ HOOK void __tsan_ignore_thread_end() {}
         return __atomic_fetch_xor(p, v, __ATOMIC_SEQ_CST);                                         \
     }                                                                                              \
     HOOK int __tsan_atomic##bits##_compare_exchange_strong(volatile T* p, T* c, T v, int, int) {   \
-        look(const_cast<const T*>(p), bits / 8, true, Touch::swap, PC);                            \
+        look(const_cast<const T*>(p), bits / 8, true, Touch::atomic, PC);                          \
         return __atomic_compare_exchange_n(p, c, v, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST);    \
     }                                                                                              \
     HOOK int __tsan_atomic##bits##_compare_exchange_weak(volatile T* p, T* c, T v, int, int) {     \
-        look(const_cast<const T*>(p), bits / 8, true, Touch::swap, PC);                            \
+        look(const_cast<const T*>(p), bits / 8, true, Touch::atomic, PC);                          \
         return __atomic_compare_exchange_n(p, c, v, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST);    \
     }                                                                                              \
     HOOK T __tsan_atomic##bits##_compare_exchange_val(volatile T* p, T c, T v, int, int) {         \
-        look(const_cast<const T*>(p), bits / 8, true, Touch::swap, PC);                            \
+        look(const_cast<const T*>(p), bits / 8, true, Touch::atomic, PC);                          \
         __atomic_compare_exchange_n(p, &c, v, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST);          \
         return c;                                                                                  \
     }

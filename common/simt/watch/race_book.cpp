@@ -40,8 +40,12 @@ void RaceBook::note(const Race& race, uintptr_t address, unsigned bytes) {
     Race& known = found->second;
     if (is_new) order_.push_back(key);
     ++known.count;
-    if (race.before_wrote) stored(known, load(address, bytes));
+    if (race.before_wrote) {
+        stored(known, load(address, bytes));
+        known.after_reads = known.after_reads && race.before.has_read;
+    }
     if (race.after_wrote) {
+        known.after_reads = known.after_reads && race.after.has_read;
         pending_ = &known;
         pending_address_ = address;
         pending_bytes_ = bytes;
@@ -58,13 +62,17 @@ const char* RaceBook::why_harmless(const Race& race) const {
     const bool one_reads = !(race.before_wrote && race.after_wrote);
     const Access& reader = race.before_wrote ? race.after : race.before;
     if (one_is_atomic && one_reads && !is_atomic(reader.touch) && checked_.contains(reader.site))
-        return "the value read is checked again by atomicCAS()";
+        return "the value read is checked again by an atomic operation";
     if (race.memory == Memory::shared && one_reads) return nullptr;
     if (race.before.touch == Touch::volatile_ && race.after.touch == Touch::volatile_ &&
         race.memory != Memory::shared)
         return "both accesses are volatile";
-    // Zeros may be what all data of a test are.
-    if (race.one_value && race.value != 0 && !one_is_atomic)
+    const uint32_t storing = race.before_wrote ? race.before.site : race.after.site;
+    const auto others = races_.find({storing, storing});
+    const bool is_flag =
+        !one_reads || race.after_reads ||
+        (others != races_.end() && others->second.before_wrote && others->second.after_wrote);
+    if (race.one_value && race.value != 0 && !one_is_atomic && is_flag) // 0 may be all data
         return "every store from there stores the same value";
     return nullptr;
 }
@@ -79,7 +87,6 @@ bool RaceBook::has_error_at(uint32_t site) const {
 void RaceBook::clear() {
     races_.clear();
     order_.clear();
-    checked_.clear();
     pending_ = nullptr;
 }
 

@@ -2,8 +2,10 @@
 // end.
 //
 // What an access of a race stored is known only after it. A race in which every store of the launch
-// from that place stores one value, a flag, does no harm on a GPU and is a note; so is a plain read
-// that an atomicCAS of the same thread checks again (CUDA C++ Programming Guide, "Atomic
+// from that place stores one value to a flag does no harm on a GPU and is a note. A flag is what
+// several threads store to, or what they read before. (Where each thread stores to a place of its
+// own, one value may be what all data of a test are.) So is a plain read that an atomicCAS(),
+// atomicMin() or atomicMax() of the same thread checks again (CUDA C++ Programming Guide, "Atomic
 // Functions").
 #pragma once
 
@@ -23,7 +25,8 @@ struct Race {
     bool before_wrote = false, after_wrote = false;
     Memory memory = Memory::global;
     uint64_t count = 0;
-    bool one_value = true; // so far
+    bool one_value = true;   // so far
+    bool after_reads = true; // all stores so far have Access::has_read
     bool has_value = false;
     uint64_t value = 0;
 };
@@ -40,7 +43,7 @@ class RaceBook {
     void settle() {
         if (pending_) settle_pending();
     }
-    void checked_by_cas(uint32_t reading_site) { checked_.insert(reading_site); }
+    void checked_again(uint32_t reading_site) { checked_.insert(reading_site); }
 
     // Why a race is harmless, or null.
     const char* why_harmless(const Race& race) const;
@@ -64,7 +67,7 @@ class RaceBook {
     std::vector<Pc> pcs_;
     std::map<std::pair<uint32_t, uint32_t>, Race> races_;
     std::vector<std::pair<uint32_t, uint32_t>> order_;
-    std::unordered_set<uint32_t> checked_;
+    std::unordered_set<uint32_t> checked_; // in any launch
 
     Race* pending_ = nullptr;
     uintptr_t pending_address_ = 0;

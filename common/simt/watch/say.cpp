@@ -190,17 +190,4 @@ void say_strange_address(uintptr_t address, bool writes, Pc pc) {
     Watcher::get().stop_after(finding);
 }
 
-void say_host_access(uintptr_t address, bool writes, Pc pc) {
-    const Target target = look_up(reinterpret_cast<const void*>(address));
-    if (target.known && target.kind != MemoryKind::device) return; // pinned, managed
-    Finding finding;
-    finding.kind = "host-reads-device";
-    finding.place = place_of(pc);
-    finding.mode = "watch";
-    finding.message = std::string("host code ") + verb(writes) + " device memory" +
-                      (target.known ? ", " + describe(target) : "");
-    finding.advice = "copy it to host memory with cudaMemcpy() first";
-    emit(finding);
-}
-
 } // namespace raylab::simt::watch

@@ -4,6 +4,7 @@
 #include "common/simt/finding.h"
 #include "common/simt/launch.h"
 #include "common/simt/watch/block_clock.h"
+#include "common/simt/watch/concurrency.h"
 #include "common/simt/watch/race_book.h"
 
 #include <utility>
@@ -25,6 +26,18 @@ void say_strange_address(uintptr_t address, bool writes, Pc pc);
 
 // Host code touches device memory.
 void say_host_access(uintptr_t address, bool writes, Pc pc);
+
+// Host code and a kernel use one variable of the program.
+void say_host_variable(Pc host, bool host_writes, Pc kernel, bool kernel_writes);
+
+// The running thread touches a local variable of another one.
+void say_foreign_local(bool writes, Pc pc);
+
+// The running thread's calls, one of them at `call`, need more than a GPU's stack has.
+Finding too_deep(size_t calls, size_t stack_bytes, Pc call);
+
+// Notes a copy to host code of what nobody has written in device memory.
+void say_unwritten_copy(const CopyCall& call, const Range& arena);
 
 // The kernel, block and thread that run.
 Actor running_actor();

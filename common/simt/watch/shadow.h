@@ -19,17 +19,17 @@ namespace raylab::simt::watch {
 
 using Pc = const void*; // the instruction behind an access
 
-// How a place is touched. `swap`: by atomicCAS(), or an operation that the CPU machine makes of it.
-enum class Touch : uint8_t { plain, volatile_, atomic, swap };
+enum class Touch : uint8_t { plain, volatile_, atomic }; // how a place is touched
 
-inline bool is_atomic(Touch touch) { return touch == Touch::atomic || touch == Touch::swap; }
+inline bool is_atomic(Touch touch) { return touch == Touch::atomic; }
 
 struct Access {
     Task task;
     Time time;
     uint32_t launch;
     uint32_t site : 24; // of RaceBook::site(), 0: none
-    Touch touch : 8;
+    Touch touch : 7;
+    bool has_read : 1; // a write: its thread has read the place shortly before
 };
 static_assert(sizeof(Access) == 16, "a word of memory costs three of these");
 

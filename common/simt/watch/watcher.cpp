@@ -1,5 +1,6 @@
 #include "common/simt/watch/watcher.h"
 
+#include "common/simt/api/device.h"
 #include "common/simt/engine/block.h"
 #include "common/simt/finding_text.h"
 #include "common/simt/watch/say.h"
@@ -57,7 +58,9 @@ Watcher& Watcher::get() {
 Watcher::Watcher()
     : used_(least_gap), arena_(uintptr_t(map_memory(arena_bytes)), arena_bytes, Memory::global),
       symbols_(round_down(uintptr_t(&__data_start)), size_t(&_end - &__data_start) + 16,
-               Memory::symbol) {
+               Memory::symbol),
+      host_wrote_(symbols_.bytes),
+      host_writers_(static_cast<Pc*>(map_memory((symbols_.bytes / 64 + 1) * sizeof(Pc)))) {
     const char* count = std::getenv("RAYLAB_COUNT");
     counts_traffic_ = count && std::strcmp(count, "memory") == 0;
     symbols_.allowed.set(0, symbols_.bytes, true);
@@ -96,18 +99,29 @@ const Allocation* Watcher::nearest(uintptr_t address) const {
 }
 
 void Watcher::wrote(const void* pointer, size_t bytes) {
-    if (Range* range = range_of(uintptr_t(pointer)))
-        range->written.set(uintptr_t(pointer) - range->begin, bytes, true);
+    Range* range = range_of(uintptr_t(pointer));
+    if (!range) return;
+    const uintptr_t offset = uintptr_t(pointer) - range->begin;
+    range->written.set(offset, bytes, true);
+    if (range != &symbols_) return;
+    host_wrote_.set(offset, bytes, false); // nor did a kernel
+    for (uintptr_t word = offset / 4; word * 4 < offset + bytes; ++word) range->words[word] = {};
 }
 
-void Watcher::add_stack(const void* bottom, size_t bytes) { stacks_[uintptr_t(bottom)] = bytes; }
+void Watcher::copied(const CopyCall& call) {
+    if (arena_.has(uintptr_t(call.from))) say_unwritten_copy(call, arena_);
+    wrote(call.to, call.bytes);
+    concurrency_.copy(call, arena_);
+}
 
 void Watcher::begin_launch(const Launch& launch, bool prints) {
     prints_ = prints;
     out_of_bounds_ = 0;
     launch_ = &launch;
-    ++launch_number_;
+    launch_number_ = concurrency_.begin_launch(launch);
     clock_.begin_launch();
+    cudaDeviceGetLimit(&stack_limit_, cudaLimitStackSize);
+    depth_to_look_at_ = 2 * stack_limit_;
     auto found = statics_of_.find(&threadIdx);
     if (found == statics_of_.end()) {
         const ThreadLocals locals = thread_locals();
@@ -185,21 +199,13 @@ Range* Watcher::range_of(uintptr_t address) {
     return nullptr;
 }
 
-// Of any thread. Remembers which: the next access of a variable is likely on the same one.
-bool Watcher::is_on_a_stack(uintptr_t address) {
-    const auto next = stacks_.upper_bound(address);
-    if (next == stacks_.begin() || address - std::prev(next)->first >= std::prev(next)->second)
-        return false;
-    stack_ = *std::prev(next);
-    return true;
-}
-
 void Watcher::access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
-    if (!current_block) { // host code, of whatever thread of the operating system
-        if (arena_.has(address)) say_host_access(address, writes, pc);
-        return;
-    }
-    if (thread_ < 0 || is_busy_ || address - stack_.first < stack_.second) return;
+    if (!current_block) // host code, of whatever thread of the operating system
+        return host_access(address, bytes, writes, touch, pc);
+    if (thread_ < 0 || is_busy_) return;
+    if (address - stack_.first < stack_.second &&
+        uintptr_t(__builtin_frame_address(0)) - stack_.first < stack_.second)
+        return; // on its own stack
     is_busy_ = true;
     look(address, bytes, writes, touch, pc);
     is_busy_ = false;
@@ -207,19 +213,18 @@ void Watcher::access(uintptr_t address, unsigned bytes, bool writes, Touch touch
 
 // What the running thread does.
 void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc) {
+    look_at_depth();
     Range* found = range_of(address);
-    if (!found) {
-        if (!is_on_a_stack(address)) say_strange_address(address, writes, pc);
-        return;
-    }
+    if (!found) return look_outside(address, writes, pc);
     Range& range = *found;
     const uintptr_t offset = address - range.begin, end = offset + bytes;
     if (found == statics_ && !range.allowed.of_word(offset / 4))
         return; // the engine's: threadIdx and its kin
     races_.settle();
-    const Access me{clock_.task(thread_), clock_.now(thread_), launch_number_, races_.site(pc),
-                    touch};
+    Access me{
+        clock_.task(thread_), clock_.now(thread_), launch_number_, races_.site(pc), touch, false};
     if (counts_traffic_) traffic_.add(me.site, thread_, address, bytes, writes, range.memory);
+    if (touch == Touch::plain) me.has_read = has_read(address, writes, me.site);
     bool all_unwritten = true;
     for (uintptr_t word = offset / 4; word * 4 < end; ++word) {
         unsigned mask = 15;
@@ -228,6 +233,10 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
         if (mask & ~range.allowed.of_word(word))
             return say_out_of_bounds(address, bytes, writes, pc, range.memory);
         if (mask & range.written.of_word(word)) all_unwritten = false;
+        if (found == &symbols_ && host_wrote_.of_word(word)) {
+            say_host_variable(host_writers_[offset / 64], true, pc, writes);
+            host_wrote_.set(word * 4, 4, false); // said once
+        }
         if (writes) range.written.add(word, mask);
         Word& whole = range.words[word];
         if (mask == 15 && !whole.is_split) {
@@ -244,10 +253,20 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
         if (writes) clock_.publish(thread_, address);
     }
     if (all_unwritten && (!writes || is_atomic(touch))) {
-        if (!uninitialised_.contains(me.site))
-            uninitialised_.emplace(me.site, uninitialised(address, pc, range.memory));
+        const uint32_t site = me.site;
+        if (!uninitialised_.contains(site))
+            uninitialised_.emplace(site, uninitialised(address, pc, range.memory));
         range.written.set(offset, bytes, true); // said once
     }
+}
+
+// Whether the running thread has read the place shortly before; notes that it does so now.
+bool Watcher::has_read(uintptr_t address, bool writes, uint32_t site) {
+    Reads& mine = last_reads_[size_t(thread_)];
+    for (const auto& [place, by] : mine.reads)
+        if (place == address && by) return true;
+    if (!writes) mine.reads[mine.next++ % mine.reads.size()] = {address, site};
+    return false;
 }
 
 // What lies in shared memory is gone when its block ends, the rest counts until the launch ends.
@@ -263,14 +282,14 @@ void Watcher::check(Range& range, Word& word, const Access& me, bool writes, uin
                !(is_atomic(before.touch) && is_atomic(me.touch)) &&
                !clock_.knows(thread_, before.task, before.time);
     };
+    if (concurrency_.concerns_launch() && range.memory != Memory::shared)
+        concurrency_.kernel_access(word, address, bytes, writes, me.touch, races_.pc(me.site));
     if (races_with(word.writer)) conflict(range, word.writer, true, me, writes, address, bytes);
     if (!writes) {
         insert_reader(range, word, me);
         return;
     }
     for (Access& reader : word.readers) {
-        if (is_current(range, reader) && reader.task == me.task && me.touch == Touch::swap)
-            races_.checked_by_cas(reader.site);
         if (races_with(reader)) conflict(range, reader, false, me, writes, address, bytes);
         reader = {};
     }

@@ -11,6 +11,7 @@
 #include "common/simt/finding.h"
 #include "common/simt/launch.h"
 #include "common/simt/watch/block_clock.h"
+#include "common/simt/watch/concurrency.h"
 #include "common/simt/watch/race_book.h"
 #include "common/simt/watch/shadow.h"
 #include "common/simt/watch/traffic.h"
@@ -52,11 +53,16 @@ class Watcher {
     // again.
     void* allocate(size_t bytes, size_t alignment, const Where& where); // null: no room
     void release(void* pointer, size_t bytes);
-    void wrote(const void* pointer, size_t bytes); // by a copy of the runtime
+    void wrote(const void* pointer, size_t bytes); // by the runtime
+    void copied(const CopyCall& call);
     void add_stack(const void* bottom, size_t bytes);
+    Concurrency& concurrency() { return concurrency_; }
 
     // What the compiler's calls tell. `pc`: behind the access, in the student's code.
     void access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
+    // The running thread is about to look at the place again by an atomic operation that leaves it
+    // as it is, unless it still must change.
+    void checks_again(uintptr_t address);
 
     // Ends the launch, with cudaErrorIllegalAddress; does not come back.
     [[noreturn]] void stop_after(const Finding& finding);
@@ -77,7 +83,11 @@ class Watcher {
     Watcher();
     void look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
     Range* range_of(uintptr_t address);
-    bool is_on_a_stack(uintptr_t address);
+    const std::pair<const uintptr_t, size_t>* stack_of(uintptr_t address) const;
+    void look_outside(uintptr_t address, bool writes, Pc pc);
+    void look_at_depth();
+    void host_access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
+    void host_uses_symbol(uintptr_t address, unsigned bytes, bool writes, Pc pc);
     void check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
                unsigned bytes);
     bool is_current(const Range& range, const Access& access) const;
@@ -85,10 +95,12 @@ class Watcher {
     void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
                   bool writes, uintptr_t address, unsigned bytes);
 
+    bool has_read(uintptr_t address, bool writes, uint32_t site);
     void note_traffic();
 
     BlockClock clock_;
     RaceBook races_;
+    Concurrency concurrency_{races_};
     const Launch* launch_ = nullptr;
     uint32_t launch_number_ = 0;
     int thread_ = -1;
@@ -100,9 +112,11 @@ class Watcher {
     int out_of_bounds_ = 0;                     // in this launch
     std::map<uint32_t, Finding> uninitialised_; // by site
 
-    size_t used_;   // of the arena
-    Range arena_;   // what allocate() gives
-    Range symbols_; // variables of the program
+    size_t used_;         // of the arena
+    Range arena_;         // what allocate() gives
+    Range symbols_;       // variables of the program
+    ByteBits host_wrote_; // of these, since the runtime copied to them
+    Pc* host_writers_;    // the last statement that did, by 64 bytes
     std::map<const void*, Range>
         statics_of_;           // static __shared__ variables, by &threadIdx of the worker
     Range* statics_ = nullptr; // of the worker that runs
@@ -113,6 +127,13 @@ class Watcher {
     TrafficCounter traffic_;
     std::map<uintptr_t, size_t> stacks_;   // of CUDA threads: lowest address, bytes
     std::pair<uintptr_t, size_t> stack_{}; // one of them
+    // The last plain reads of each thread, in a ring.
+    struct Reads {
+        std::array<std::pair<uintptr_t, uint32_t>, 4> reads; // address, site
+        unsigned next;
+    };
+    std::array<Reads, 1024> last_reads_{};          // by thread
+    size_t stack_limit_ = 0, depth_to_look_at_ = 0; // bytes: cudaLimitStackSize, and here
 };
 
 } // namespace raylab::simt::watch
