@@ -1,8 +1,8 @@
 // The corpus of wrong and of right kernels (tests/machine/cuda), in every mode of the machine. A
 // mistake that nobody is said to find yet ("none") is not asked for.
 //
-// RAYLAB_CORPUS=bounds,races chooses modes; without it every third program in watch, and with
-// RAYLAB_LONG all in all.
+// RAYLAB_CORPUS=bounds,races chooses modes, RAYLAB_CORPUS_FILES=w31,w9 the programs whose names
+// begin so; without either every eighth program in watch, and with RAYLAB_LONG all in all.
 // RAYLAB_CORPUS_TABLE names a file for the table of results.
 #include "app/run/build_program.h"
 #include "app/run/merge.h"
@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
@@ -75,16 +76,23 @@ std::vector<simt::Finding> found(const CorpusFile& file, const BuiltProgram& pro
 }
 
 // The whole corpus takes minutes to compile.
-void keep_every_third(std::vector<CorpusFile>& corpus) {
+std::vector<CorpusFile> chosen_programs() {
+    const std::vector<CorpusFile> all = read_corpus(tree.root / "tests/machine/cuda");
+    const char* names = std::getenv("RAYLAB_CORPUS_FILES");
+    if (!names && (std::getenv("RAYLAB_LONG") || std::getenv("RAYLAB_CORPUS"))) return all;
+    const std::vector<std::string> starts = split(names ? names : "", ',');
     std::vector<CorpusFile> kept;
-    for (std::size_t i = 0; i < corpus.size(); i += 3) kept.push_back(corpus[i]);
-    corpus = std::move(kept);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (names ? std::any_of(starts.begin(), starts.end(),
+                                [&](const auto& start) { return all[i].name().starts_with(start); })
+                  : i % 8 == 0)
+            kept.push_back(all[i]);
+    return kept;
 }
 
 void check(const std::string& name) {
     const Mode& mode = mode_named(name == "order" ? "plain" : name);
-    std::vector<CorpusFile> corpus = read_corpus(tree.root / "tests/machine/cuda");
-    if (!std::getenv("RAYLAB_LONG") && !std::getenv("RAYLAB_CORPUS")) keep_every_third(corpus);
+    const std::vector<CorpusFile> corpus = chosen_programs();
     const Machine machine = build_machine(tree, mode);
     const WorkFolder work("");
     const auto programs = build_all(corpus, machine, work.path() / name);

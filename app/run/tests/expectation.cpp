@@ -12,14 +12,14 @@ namespace raylab::app {
 
 using simt::Finding;
 
-namespace {
-
 std::vector<std::string> split(const std::string& text, char at) {
     std::vector<std::string> parts;
     std::istringstream stream(text);
     for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
     return parts;
 }
+
+namespace {
 
 std::string in_words(const Finding& finding) {
     return fmt::format("{} {} {}: {}", name(finding.severity), finding.place.line, finding.kind,
@@ -28,10 +28,11 @@ std::string in_words(const Finding& finding) {
 
 Expected read_expected(const std::string& text) {
     std::istringstream words(text);
-    std::string modes, lines;
+    std::string modes, lines, kinds;
     Expected expected;
-    if (!(words >> modes >> expected.severity >> lines >> expected.kind))
+    if (!(words >> modes >> expected.severity >> lines >> kinds))
         throw std::runtime_error("cannot read '" + text + "'");
+    for (const std::string& kind : split(kinds, '|')) expected.kinds.insert(kind);
     for (const std::string& mode : split(modes, ',')) expected.modes.insert(mode);
     for (const std::string& line : split(lines, '|')) expected.lines.insert(std::stoi(line));
     return expected;
@@ -40,7 +41,7 @@ Expected read_expected(const std::string& text) {
 } // namespace
 
 bool Expected::is_met_by(const Finding& finding) const {
-    return finding.kind == kind && name(finding.severity) == severity &&
+    return kinds.count(finding.kind) > 0 && name(finding.severity) == severity &&
            (lines.count(finding.place.line) > 0 ||
             (finding.other && lines.count(finding.other->place.line) > 0)); // either end of a race
 }
@@ -57,7 +58,7 @@ std::vector<std::string> CorpusFile::missing(const std::string& mode,
         if (e.modes.count(mode) == 0) continue;
         if (std::none_of(findings.begin(), findings.end(),
                          [&](const Finding& finding) { return e.is_met_by(finding); }))
-            list.push_back(fmt::format("{} {} {}", e.severity, *e.lines.begin(), e.kind));
+            list.push_back(fmt::format("{} {} {}", e.severity, *e.lines.begin(), *e.kinds.begin()));
     }
     return list;
 }

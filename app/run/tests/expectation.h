@@ -7,7 +7,8 @@
 //
 // MODES: plain, watch, bounds, races, order (of `raylab run --machine`), compile (it must not),
 // host (clang says so, in every mode), or none: a finding that no mode makes yet. LINES: 8 or 8|9
-// (one of them), 0 for a finding without a line.
+// (one of them), 0 for a finding without a line. KIND: one, or more with | between, each of which
+// names the mistake rightly.
 #pragma once
 
 #include "common/simt/finding.h"
@@ -20,8 +21,8 @@
 namespace raylab::app {
 
 struct Expected {
-    std::set<std::string> modes;
-    std::string severity, kind;
+    std::set<std::string> modes, kinds;
+    std::string severity;
     std::set<int> lines;
     bool is_met_by(const simt::Finding& finding) const;
 };
@@ -40,6 +41,8 @@ struct CorpusFile {
     // Findings at lines that nothing is expected at.
     std::vector<std::string> surplus(const std::vector<simt::Finding>& findings) const;
 };
+
+std::vector<std::string> split(const std::string& text, char at);
 
 // Throws std::runtime_error for a first line that cannot be read.
 std::vector<CorpusFile> read_corpus(const std::filesystem::path& folder);
