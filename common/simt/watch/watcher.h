@@ -85,7 +85,13 @@ class Watcher {
     Range* range_of(uintptr_t address);
     const std::pair<const uintptr_t, size_t>* stack_of(uintptr_t address) const;
     void look_outside(uintptr_t address, bool writes, Pc pc);
-    void look_at_depth();
+    void look_at_depth() {
+        const uintptr_t here = uintptr_t(__builtin_frame_address(0));
+        if (here - stack_.first >= stack_.second ||
+            stack_.first + stack_.second - here > depth_to_look_at_)
+            count_calls(here);
+    }
+    void count_calls(uintptr_t here);
     void host_access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
     void host_uses_symbol(uintptr_t address, unsigned bytes, bool writes, Pc pc);
     void check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
@@ -95,7 +101,7 @@ class Watcher {
     void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
                   bool writes, uintptr_t address, unsigned bytes);
 
-    bool has_read(uintptr_t address, bool writes, uint32_t site);
+    bool has_read(uintptr_t address) const; // the running thread, shortly before
     void note_traffic();
 
     BlockClock clock_;

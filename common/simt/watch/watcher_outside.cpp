@@ -43,8 +43,7 @@ void Watcher::look_outside(uintptr_t address, bool writes, Pc pc) {
 // A recursion that this computer's large stacks have room for. Calls on a GPU keep at least a
 // return address and a register each, in 16 bytes; large arrays of one function lie outside of that
 // limit, so calls are counted, by their frames' links.
-void Watcher::look_at_depth() {
-    const uintptr_t here = uintptr_t(__builtin_frame_address(0));
+void Watcher::count_calls(uintptr_t here) {
     if (here - stack_.first >= stack_.second)
         if (const auto* own = stack_of(here)) stack_ = *own;
     const uintptr_t end = stack_.first + stack_.second;
