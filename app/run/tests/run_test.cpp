@@ -103,7 +103,8 @@ TEST(Run, WhatAccessesCost) {
     EXPECT_THAT(row_of(table, 13, "write"), ElementsAre("shared", "write", "1", "32.0", "31", _));
 
     const std::string json =
-        run(RAYLAB_ROOT "/tests/machine/memory/patterns.cu --machine memory --json 2>/dev/null").text;
+        run(RAYLAB_ROOT "/tests/machine/memory/patterns.cu --machine memory --json 2>/dev/null")
+            .text;
     EXPECT_THAT(json, HasSubstr("\"bank_conflicts\": 31"));
     EXPECT_THAT(json, HasSubstr("\"sectors_per_request\": 32.0"));
 }
