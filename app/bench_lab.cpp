@@ -2,6 +2,10 @@
 
 #include "common/render/render.h"
 
+#if !defined(RAYLAB_CUDA)
+#include "common/simt/options.h"
+#endif
+
 #include <chrono>
 
 #if defined(__APPLE__)
@@ -14,14 +18,19 @@ namespace raylab::app {
 
 namespace {
 
-double heap_bytes() {
+// Of the heap, and of the CPU machine's device memory.
+double bytes_in_use() {
+    double device = 0;
+#if !defined(RAYLAB_CUDA)
+    device = static_cast<double>(simt::mapped_bytes());
+#endif
 #if defined(__APPLE__)
     malloc_statistics_t info{};
     malloc_zone_statistics(nullptr, &info); // of all zones
-    return static_cast<double>(info.size_in_use);
+    return device + static_cast<double>(info.size_in_use);
 #else
     const struct mallinfo2 info = mallinfo2();
-    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+    return device + static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 #endif
 }
 
@@ -31,13 +40,13 @@ bench::Contestant lab_contestant(const Lab& lab, const Scene& scene,
                                  const MachineSettings& machine) {
     const auto render = [&lab, &scene, machine](int spp, std::uint32_t seed) {
         bench::Drawn drawn;
-        const double bytes_before = heap_bytes();
+        const double bytes_before = bytes_in_use();
         const auto start = std::chrono::steady_clock::now();
         const std::unique_ptr<Renderer> renderer = lab.make(scene, machine);
         Render finished = raylab::render(*renderer, scene, scene.camera, seed, spp);
         drawn.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        drawn.bytes = heap_bytes() - bytes_before;
+        drawn.bytes = bytes_in_use() - bytes_before;
         drawn.image = std::move(finished.image);
         drawn.ledger = std::move(finished.ledger);
         return drawn;

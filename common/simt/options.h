@@ -35,6 +35,9 @@ struct Options {
 void set_options(const Options& options);
 Options options();
 
+// Device memory in use that malloc() does not know of: it lies in pages of its own.
+size_t mapped_bytes();
+
 // The text of the latest fault or refused launch: what, where, what was expected, what to do. Empty
 // if there was none since the start or the last cudaDeviceReset().
 std::string last_report();

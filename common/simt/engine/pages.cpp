@@ -24,6 +24,8 @@ std::map<void*, Mapping>& mappings() {                    // by what was given
     return *mappings;
 }
 
+size_t mapped = 0; // bytes, without the gaps
+
 size_t round_up(size_t bytes, size_t unit) { return (bytes + unit - 1) / unit * unit; }
 
 } // namespace
@@ -42,6 +44,7 @@ void* take_pages(size_t bytes, size_t alignment) {
     }
     void* given = first + (pages - used);
     mappings()[given] = {base, all};
+    mapped += pages;
     return given;
 }
 
@@ -50,8 +53,14 @@ bool give_back_pages(void* pointer) {
     const auto found = mappings().find(pointer);
     if (found == mappings().end()) return false;
     munmap(found->second.base, found->second.bytes);
+    mapped -= found->second.bytes - 2 * gap;
     mappings().erase(found);
     return true;
+}
+
+size_t mapped_bytes() {
+    std::lock_guard lock(mutex);
+    return mapped;
 }
 
 } // namespace raylab::simt
