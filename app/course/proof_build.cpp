@@ -33,22 +33,23 @@ void configure(const Tree& tree, const fs::path& overlay, const fs::path& build)
 
 } // namespace
 
-// CMake looks for the labs in the overlay when it configures, so all of them must be there before.
-ProofBuild::ProofBuild(const Tree& tree, const std::vector<std::string>& labs)
+// CMake looks for the labs in the overlay when it configures, and the next proof in this folder may
+// be of another lab. So all of them must be there before.
+ProofBuild::ProofBuild(const Tree& tree)
     : overlay_(tree.root / "build/proof/overlay"), proof_tree_{tree.root,
                                                                tree.root / "build/proof/build"} {
-    for (const std::string& lab : labs)
+    for (const std::string& lab : lab_folders(tree.root))
         write_lab(read_lab_sources(find_lab(tree.root, lab)), {}, overlay_);
     configure(tree, overlay_, proof_tree_.build);
 }
 
 CheckReport ProofBuild::check(const LabSources& lab, const std::set<std::string>& stubbed,
-                              const Variation* change) {
+                              const Variation* change, const std::vector<std::string>& tasks) {
     write_lab(lab, stubbed, overlay_, [&](const std::string& file, std::string text) {
         return change && change->file == file ? change->apply(text) : text;
     });
     const LabSheet laid_over = read_lab_sheet(overlay_, lab.sheet.folder);
-    return check_tasks(proof_tree_, laid_over, lab.sheet.task_ids());
+    return check_tasks(proof_tree_, laid_over, tasks.empty() ? lab.sheet.task_ids() : tasks);
 }
 
 } // namespace raylab::app

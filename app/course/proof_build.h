@@ -14,12 +14,13 @@ namespace raylab::app {
 
 class ProofBuild {
   public:
-    // labs: folders or numbers. Throws CourseError, std::runtime_error.
-    ProofBuild(const Tree& tree, const std::vector<std::string>& labs);
+    // Throws CourseError, std::runtime_error.
+    explicit ProofBuild(const Tree& tree);
 
-    // Checks the tasks of the lab with some of them stubbed and a change of its solution, or none.
+    // Checks tasks of the lab, by default all, with some of them stubbed and a change of its
+    // solution, or none.
     CheckReport check(const LabSources& lab, const std::set<std::string>& stubbed,
-                      const Variation* change);
+                      const Variation* change, const std::vector<std::string>& tasks = {});
 
   private:
     std::filesystem::path overlay_;

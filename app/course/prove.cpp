@@ -146,7 +146,7 @@ ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     if (labs.empty())
         throw std::runtime_error(
             fmt::format("{} has no lab: nothing was proved", tree.root.string()));
-    ProofBuild build(tree, labs);
+    ProofBuild build(tree);
     if (options.mistakes) {
         std::vector<MistakeProof> proofs;
         for (const std::string& lab : labs)

@@ -11,7 +11,13 @@ namespace raylab::app {
 namespace {
 
 MistakeProof prove(ProofBuild& build, const LabSources& lab, const Mistake& mistake) {
-    const CheckReport report = build.check(lab, {}, &mistake.change);
+    // Its task, and those that it needs: what is said of a task begins with them.
+    std::vector<std::string> tasks = lab.sheet.find(mistake.task)->needs;
+    tasks.push_back(mistake.task);
+    CheckReport report = build.check(lab, {}, &mistake.change, tasks);
+    // Where its task does not see it, does another?
+    if (report.compiler_errors.empty() && report.results.back().verdict != Verdict::wrong)
+        report = build.check(lab, {}, &mistake.change);
     if (!report.compiler_errors.empty())
         throw CourseError(fmt::format("{}: this mistake does not compile:\n{}",
                                       mistake.change.place, report.compiler_errors));
@@ -83,7 +89,8 @@ std::string to_markdown(const std::vector<MistakeProof>& proofs) {
         "# Known mistakes, and what `check` says of them\n\n"
         "Written by `./raylab prove --mistakes -o docs/mistakes.md`, which plants each mistake in "
         "the\n"
-        "solution of its lab and checks all tasks. {}.\n\n"
+        "solution of its lab and checks its task and those that it needs; all tasks, where its own "
+        "passes. {}.\n\n"
         "| task | mistake | verdict | the first thing that is said | also wrong | seconds |\n"
         "|---|---|---|---|---|--:|\n",
         sums(proofs));

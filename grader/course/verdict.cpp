@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <regex>
 #include <sstream>
@@ -101,6 +102,17 @@ std::string fact_in(std::string failure) {
     return failure;
 }
 
+// After a crash of a test of the lab with this number.
+std::string crash_fact(const std::string& name, int signal, const std::string& lab) {
+    if (signal == SIGFPE)
+        return fmt::format("{} crashed ({}); the likely cause: a whole number is divided by zero",
+                           name, strsignal(signal));
+    return fmt::format("{} crashed ({}); the likely cause: an index outside its array, or a "
+                       "recursion that never ends. RAYLAB_PRESET=check ./raylab check {} names the "
+                       "line",
+                       name, strsignal(signal), lab);
+}
+
 // What GoogleTest's report says about its one test.
 struct Report {
     bool completed = false; // it ran to its end
@@ -169,10 +181,7 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
                                      "whose condition never becomes false",
                                      name, limit_seconds)};
     else if (process.signal != 0)
-        outcome.facts = {fmt::format("{} crashed ({}); the likely cause: an index outside its "
-                                     "array, or a recursion that never ends. "
-                                     "RAYLAB_PRESET=check ./raylab check {} names the line",
-                                     name, strsignal(process.signal), sheet.number)};
+        outcome.facts = {crash_fact(name, process.signal, sheet.number)};
     else if (!report.completed && process.output.find("] " + name + " (") != std::string::npos)
         did_not_run(name, "it ended, but its report could not be written: is the disk full?");
     else if (!report.completed)

@@ -58,6 +58,7 @@ TEST(Needing, One) {
 }
 
 TEST(Crashing, One) { std::raise(SIGSEGV); }
+TEST(Dividing, One) { std::raise(SIGFPE); }
 
 TEST(Leaving, One) { std::exit(0); }
 

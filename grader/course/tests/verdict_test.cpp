@@ -105,6 +105,8 @@ TEST_F(Verdicts, CrashesAndExceptionsAreTheTasksAlone) {
     const TaskResult thrown = judge("7.9", "Throwing.*");
     EXPECT_EQ(thrown.verdict, Verdict::wrong);
     EXPECT_NE(thrown.facts.at(0).find("no such scene"), std::string::npos) << thrown.facts[0];
+    const TaskResult divided = judge("7.9", "Dividing.*");
+    EXPECT_NE(divided.facts.at(0).find("divided by zero"), std::string::npos) << divided.facts[0];
 }
 
 TEST_F(Verdicts, AMissingTestProgramIsNobodysWrongAnswer) {
