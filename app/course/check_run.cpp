@@ -3,6 +3,7 @@
 
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
+#include "grader/course/contains.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,17 +77,20 @@ bool is_the_labs(const ProcessResult& build, const std::string& errors, const La
     return errors.find("labs/" + sheet.folder) != std::string::npos;
 }
 
-// A task that builds on a wrong one may be right itself: its facts would lead astray.
+// A task that builds on a wrong one may be right itself: its facts would lead astray. Of two tasks
+// that need each other, the first in the lab's order is mended first.
 void say_what_is_needed_first(std::vector<TaskResult>& results) {
-    const auto is_wrong = [&](const std::string& id) {
+    const auto comes_first = [&](const std::string& need, const TaskResult& result) {
         return std::any_of(results.begin(), results.end(), [&](const TaskResult& other) {
-            return other.task.id == id && other.verdict == Verdict::wrong;
+            const bool mutual = contains(other.task.needs, result.task.id);
+            return other.task.id == need && other.verdict == Verdict::wrong &&
+                   (!mutual || &other < &result);
         });
     };
     for (TaskResult& result : results) {
         if (result.verdict != Verdict::wrong) continue;
         for (const std::string& need : result.task.needs)
-            if (is_wrong(need))
+            if (comes_first(need, result))
                 result.facts.insert(
                     result.facts.begin(),
                     fmt::format("needs first: task {}, which is WRONG; mend it and check "

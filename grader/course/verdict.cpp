@@ -99,7 +99,8 @@ std::string fact_in(std::string failure) {
         failure.erase(0, line + 1);
     if (failure.starts_with("Failed\n")) failure.erase(0, std::strlen("Failed\n"));
     while (failure.ends_with('\n')) failure.pop_back();
-    return failure;
+    static const std::regex thrown(R"re(C\+\+ exception with description "([^]*)" thrown in .*)re");
+    return std::regex_replace(failure, thrown, "the test was ended by an error: $1");
 }
 
 // After a crash of a test of the lab with this number.
