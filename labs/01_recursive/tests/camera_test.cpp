@@ -22,23 +22,51 @@ Camera pinhole() {
     return camera;
 }
 
+TEST(Task1_1, DirectionsAreUnitVectors) {
+    for (const float lens_radius : {0.0f, 0.25f}) {
+        Camera camera = pinhole();
+        camera.lens_radius = lens_radius;
+        camera.focus_distance = 7;
+        const Ray ray = camera_ray(camera, 0, 3, Vec2(0.3f, 0.9f), Vec2(0.1f, 0.8f));
+        if (!expect_near("length of a ray's direction", length(ray.d), 1, 1e-6,
+                         "the direction is not normalised"))
+            break;
+    }
+}
+
 TEST(Task1_1, TheCentreOfTheImageIsStraightAhead) {
     const Ray ray = camera_ray(pinhole(), 4, 2, Vec2(0), Vec2(0));
     expect_vector("origin of the ray through the image's centre", ray.o, Vec3(1, 2, 3), 1e-6,
                   "a pinhole camera's rays all start at its position");
     expect_vector("direction of the ray through the image's centre", ray.d, Vec3(0, 0, -1), 1e-6,
-                  "pixel (x, y) covers [x, x + 1) of `width` pixels: the centre is at width / 2");
+                  "pixel (x, y) covers [x, x + 1) of `width` pixels and [y, y + 1) of `height` "
+                  "pixels: the centre is at half of each, not of width - 1");
 }
 
+// At distance 1 the image reaches from (-1, -0.5) to (1, 0.5).
 TEST(Task1_1, CornersOfTheImageAreCornersOfTheView) {
     const Camera camera = pinhole();
-    const auto corner = [](float x, float y) { return normalize(Vec3(x, y, -1)); };
-    expect_vector("direction of the top left corner", camera_ray(camera, 0, 0, Vec2(0), Vec2(0)).d,
-                  corner(-1, 0.5f), 1e-6,
-                  "row 0 is the top: y of the image runs down, `up` runs up");
-    expect_vector("direction of the bottom right corner",
-                  camera_ray(camera, 8, 4, Vec2(0), Vec2(0)).d, corner(1, -0.5f), 1e-6,
-                  "half_width and half_height are half the image's size at distance 1");
+    const struct {
+        const char* name;
+        int x, y;
+        float right, up;
+    } corners[] = {{"top left", 0, 0, -1, 0.5f}, {"bottom right", 8, 4, 1, -0.5f}};
+    for (const auto& corner : corners) {
+        const Vec3 d = camera_ray(camera, corner.x, corner.y, Vec2(0), Vec2(0)).d;
+        const float right = d.x / -d.z, up = d.y / -d.z;
+        const auto what = [&](const char* which) {
+            return fmt::format("{} of the {} corner at distance 1", which, corner.name);
+        };
+        const std::string size = "half_width and half_height are half the image's size at distance "
+                                 "1: the tangent already, no angle";
+        if (!expect_near(what("|x|"), std::fabs(right), 1, 1e-5, size) ||
+            !expect_near(what("|y|"), std::fabs(up), 0.5, 1e-5, size) ||
+            !expect_near(what("x"), right, corner.right, 1e-5,
+                         "column 0 is at the left: x of the image runs along `right`") ||
+            !expect_near(what("y"), up, corner.up, 1e-5,
+                         "row 0 is the top: y of the image runs down, `up` runs up"))
+            return;
+    }
 }
 
 TEST(Task1_1, TheRandomNumberMovesTheRayWithinItsPixel) {
@@ -52,16 +80,16 @@ TEST(Task1_1, TheRandomNumberMovesTheRayWithinItsPixel) {
                   normalize(Vec3(0.6875f, 0.1875f, -1)), 1e-6, "u_film.x and u_film.y swapped");
 }
 
-TEST(Task1_1, DirectionsAreUnitVectors) {
-    for (const float lens_radius : {0.0f, 0.25f}) {
-        Camera camera = pinhole();
-        camera.lens_radius = lens_radius;
-        camera.focus_distance = 7;
-        const Ray ray = camera_ray(camera, 0, 3, Vec2(0.3f, 0.9f), Vec2(0.1f, 0.8f));
-        if (!expect_near("length of a ray's direction", length(ray.d), 1, 1e-6,
-                         "the direction is not normalised"))
-            break;
-    }
+// Looks straight down, and `up` is no axis.
+TEST(Task1_1, TheCameraMayBeTurned) {
+    Camera camera = pinhole();
+    camera.forward = Vec3(0, -1, 0);
+    camera.up = Vec3(0.6f, 0, -0.8f);
+    camera.right = cross(camera.forward, camera.up);
+    expect_vector("direction of the middle of pixel (6, 1), of a camera that looks down",
+                  camera_ray(camera, 6, 1, Vec2(0.5f), Vec2(0)).d,
+                  normalize(camera.forward + 0.625f * camera.right + 0.125f * camera.up), 1e-6,
+                  "the image lies along camera.right and camera.up, whichever way they point");
 }
 
 TEST(Task1_1, AllRaysOfAPointMeetInThePlaneInFocus) {
@@ -69,10 +97,8 @@ TEST(Task1_1, AllRaysOfAPointMeetInThePlaneInFocus) {
     camera.lens_radius = 0.25f;
     camera.focus_distance = 4;
     const Vec3 expected = camera.position + 4.0f * Vec3(0.625f, 0.125f, -1);
-    float leftmost = 0, rightmost = 0, lowest = 0, highest = 0;
     for (int i = 0; i < 64; ++i) {
-        const int column = i % 8, row = i / 8;
-        const Vec2 u_lens((column + 0.5f) / 8, (row + 0.5f) / 8);
+        const Vec2 u_lens((i % 8 + 0.5f) / 8, (i / 8 + 0.5f) / 8);
         const Ray ray = camera_ray(camera, 6, 1, Vec2(0.5f), u_lens);
         const Vec3 from_centre = ray.o - camera.position;
         if (!expect_near("distance of a ray's origin from the lens's plane", from_centre.z, 0, 1e-6,
@@ -86,14 +112,37 @@ TEST(Task1_1, AllRaysOfAPointMeetInThePlaneInFocus) {
                            "the plane in focus is focus_distance along `forward`, and every ray "
                            "of the pixel goes through its one point there"))
             return;
-        leftmost = std::min(leftmost, from_centre.x),
-        rightmost = std::max(rightmost, from_centre.x);
-        lowest = std::min(lowest, from_centre.y), highest = std::max(highest, from_centre.y);
     }
-    expect(std::min({-leftmost, rightmost, -lowest, highest}) > 0.15f,
-           fmt::format("64 rays start only between ({:.3g}, {:.3g}) and ({:.3g}, {:.3g}) of a lens "
-                       "of radius 0.25; the likely cause: u_lens is not used for both coordinates",
-                       leftmost, lowest, rightmost, highest));
+}
+
+// Uniform on the unit disk:  E[x^2] = E[y^2] = 1/4,  E[x y] = 0,  P(r < 1/2) = 1/4.
+TEST(Task1_1, RaysStartUniformlyOnTheLens) {
+    Camera camera = pinhole();
+    camera.lens_radius = 0.25f;
+    camera.focus_distance = 4;
+    constexpr int n = 32;
+    double x = 0, y = 0, xx = 0, yy = 0, xy = 0, inner = 0;
+    for (int i = 0; i < n * n; ++i) {
+        const Vec2 u_lens((i % n + 0.5f) / n, (i / n + 0.5f) / n);
+        const Ray ray = camera_ray(camera, 6, 1, Vec2(0.7f, 0.4f), u_lens);
+        const double a = (ray.o.x - camera.position.x) / 0.25;
+        const double b = (ray.o.y - camera.position.y) / 0.25;
+        x += a / (n * n), y += b / (n * n), xx += a * a / (n * n), yy += b * b / (n * n);
+        xy += a * b / (n * n), inner += (a * a + b * b < 0.25) / double(n * n);
+    }
+    const std::string numbers = "both coordinates of the point on the lens come from u_lens, from "
+                                "both of its numbers";
+    const std::string uniform =
+        "the point is not uniform on the disk: sample_disk() makes it of u_lens";
+    const bool holds = expect_near("of points on a lens, mean x y over mean r^2", xy / (xx + yy), 0,
+                                   0.02, numbers) &&
+                       expect_near("of points on a lens, mean x^2 over mean r^2", xx / (xx + yy),
+                                   0.5, 0.02, numbers);
+    if (!holds) return;
+    expect_near("of points on a lens of radius 1, mean x", x, 0, 0.02, uniform);
+    expect_near("of points on a lens of radius 1, mean y", y, 0, 0.02, uniform);
+    expect_near("of points on a lens of radius 1, mean r^2", xx + yy, 0.5, 0.02, uniform);
+    expect_near("share of the points within half the radius", inner, 0.25, 0.03, uniform);
 }
 
 } // namespace

@@ -59,6 +59,14 @@ TEST(Task1_2, ASphereBehindOrBesideOrBeyondIsNoHit) {
     expect_miss(sphere, {Vec3(0), Vec3(0, 0, -1), 1.9f}, "t must be less than ray.t_max");
 }
 
+TEST(Task1_2, ASphereIsMetHoweverSmallAndNearItIs) {
+    const std::string cause = "a fixed epsilon: rays are moved off their surface before they start "
+                              "(spawn_ray()), so every t > 0 is a hit";
+    expect_hit(sphere_of(Vec3(0), 0x1p-13f), {Vec3(0, 0, 0x1p-12f), Vec3(0, 0, -1)}, 0x1p-13, 1e-10,
+               cause);
+    expect_hit(sphere_of(Vec3(0), 0x1p-13f), {Vec3(0), Vec3(0, 1, 0)}, 0x1p-13, 1e-10, cause);
+}
+
 // In float, b^2 - a c is here a difference of numbers near 1e8, whose last digit is worth 8.
 TEST(Task1_2, ASphereFarAwayKeepsItsShape) {
     const Sphere sphere = sphere_of(Vec3(0), 1);
@@ -107,6 +115,15 @@ TEST(Task1_2, ATriangleIsHitInsideAndNowhereElse) {
                         "t must be positive"))
                 return;
         }
+}
+
+TEST(Task1_2, ASmallTriangleIsNotHitByRaysBesideIt) {
+    const Triangle small =
+        triangle_of(Vec3(-1e-3f, -1e-3f, 0), Vec3(1e-3f, -1e-3f, 0), Vec3(0, 1e-3f, 0));
+    float t = -1;
+    expect(!hit_triangle(small, ShearedRay(Ray{Vec3(0.002f, 0, 1), Vec3(0, 0, -1)}), t),
+           "a ray 0.001 beside a triangle of width 0.002 should miss it but hits it; the likely "
+           "cause: a fixed epsilon for the edges, in place of edge_error()");
 }
 
 TEST(Task1_2, NoRaySlipsBetweenTwoTriangles) {
@@ -161,6 +178,14 @@ TEST(Task1_2, OfTwoHitsAtTheSameDistanceTheLowestIdWins) {
                  closest_hit(scene_view, {Vec3(0, 0, 5), Vec3(0, 0, -1)}).id, 1, cause);
     expect_equal("of the equal shapes 0 and 3 the one that is hit",
                  closest_hit(scene_view, {Vec3(5, 0, 5), Vec3(0, 0, -1)}).id, 0, cause);
+
+    // The triangle touches the sphere, which is tested before it.
+    const Scene touching = small_scene(
+        {R"("a": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
+         R"({"kind": "triangle", "vertices": [[-1, -1, 1], [1, -1, 1], [0, 1, 1]], "material": "a"},)" +
+             sphere});
+    expect_equal("of a triangle 0 that touches a sphere 1 there the one that is hit",
+                 closest_hit(view(touching), {Vec3(0, 0, 5), Vec3(0, 0, -1)}).id, 0, cause);
 }
 
 } // namespace
