@@ -37,7 +37,8 @@ std::string github_annotations(const Marks& marks);
 // Markdown for GITHUB_STEP_SUMMARY, below 1 MiB.
 std::string github_summary(const Marks& marks);
 
-// By name, for command lines. Throws std::invalid_argument with the names there are.
+// By name, for command lines; "marks" is marks.json (marks_json.h). Throws std::invalid_argument
+// with the names there are.
 std::string write_marks(const std::string& format, const Marks& marks);
 const std::vector<std::string>& mark_formats();
 

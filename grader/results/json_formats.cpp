@@ -11,14 +11,14 @@
 
 namespace raylab {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
 constexpr std::size_t most_of_a_task = 16 << 10; // bytes of explanation that anybody reads
 
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string dumped(const OrderedJson& json) {
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string headline(const Marks& marks) {
@@ -34,6 +34,11 @@ std::string details(const Marks& marks) {
         shortened(marks.trouble.empty() ? marks.compiler : marks.trouble, most_of_a_task));
 }
 
+std::string said_of(const Marks& marks) {
+    const std::string text = clean_utf8(circumstances(marks));
+    return text.empty() ? "" : "\n" + text;
+}
+
 std::string task_text(const Mark& mark) {
     return clean_utf8(
         shortened(std::string(name(mark.verdict)) + "\n" + explanation(mark), most_of_a_task));
@@ -44,7 +49,7 @@ std::string full_title(const Mark& mark) { return mark.id + " " + mark.title; }
 } // namespace
 
 std::string gradescope(const Marks& marks) {
-    Json tests = Json::array();
+    OrderedJson tests = OrderedJson::array();
     for (const Mark& mark : marks.tasks)
         tests.push_back({{"number", mark.id},
                          {"name", full_title(mark)},
@@ -54,14 +59,16 @@ std::string gradescope(const Marks& marks) {
                          {"output", task_text(mark)},
                          {"output_format", "text"},
                          {"visibility", "visible"}});
-    Json json = {{"score", marks.points()},
-                 {"execution_time", static_cast<int>(marks.seconds)},
-                 {"output", headline(marks) + "\n" + details(marks)},
-                 {"output_format", "text"},
-                 {"visibility", "visible"},
-                 {"stdout_visibility", "hidden"},
-                 {"extra_data", {{"lab", marks.lab}, {"grader", marks.grader}}},
-                 {"tests", tests}};
+    OrderedJson json = {
+        {"score", marks.points()},
+        {"execution_time", static_cast<int>(marks.seconds)},
+        {"output", headline(marks) + "\n" + details(marks) + said_of(marks)},
+        {"output_format", "text"},
+        {"visibility", "visible"},
+        {"stdout_visibility", "hidden"},
+        {"extra_data",
+         {{"lab", marks.lab}, {"grader", marks.grader}, {"sandbox", clean_utf8(marks.sandbox)}}},
+        {"tests", tests}};
     return dumped(json);
 }
 
@@ -70,21 +77,21 @@ std::string prairielearn(const Marks& marks) {
     // The whole file may have a megabyte; JSON may need six bytes for one.
     const std::size_t most =
         std::min(most_of_a_task, 150000 / std::max<std::size_t>(1, marks.tasks.size()));
-    Json tests = Json::array();
+    OrderedJson tests = OrderedJson::array();
     for (const Mark& mark : marks.tasks)
         tests.push_back({{"name", full_title(mark)},
                          {"points", mark.points()},
                          {"max_points", mark.of_points},
                          {"message", name(mark.verdict)},
                          {"output", clean_utf8(shortened(explanation(mark), most))}});
-    Json json = {{"gradable", gradable},
-                 {"score", marks.of_points() == 0
-                               ? 0.0
-                               : static_cast<double>(marks.points()) / marks.of_points()},
-                 {"message", headline(marks)},
-                 {"output", "graded by " + marks.grader},
-                 {"tests", tests}};
-    if (!gradable) json["format_errors"] = Json::array({headline(marks), details(marks)});
+    OrderedJson json = {{"gradable", gradable},
+                        {"score", marks.of_points() == 0
+                                      ? 0.0
+                                      : static_cast<double>(marks.points()) / marks.of_points()},
+                        {"message", headline(marks)},
+                        {"output", "graded by " + marks.grader + "\n" + said_of(marks)},
+                        {"tests", tests}};
+    if (!gradable) json["format_errors"] = OrderedJson::array({headline(marks), details(marks)});
     return dumped(json);
 }
 
@@ -103,7 +110,7 @@ Classroom50 Classroom50::from_environment() {
 }
 
 std::string classroom50(const Marks& marks, const Classroom50& about) {
-    Json tests = Json::array();
+    OrderedJson tests = OrderedJson::array();
     for (const Mark& mark : marks.tasks)
         tests.push_back({{"test-name", full_title(mark)},
                          {"passed", mark.verdict == MarkVerdict::pass},

@@ -1,5 +1,6 @@
 // The formats that are no JSON: JUnit's XML, CSV, GitHub's annotations and summary.
 #include "grader/results/formats.h"
+#include "grader/results/marks_json.h"
 #include "grader/results/text.h"
 
 #include <fmt/format.h>
@@ -13,13 +14,18 @@ namespace {
 constexpr std::size_t shown_annotations = 10, most_of_a_summary = 1000 << 10,
                       most_of_a_case = 64 << 10;
 
+// JUnit tells apart what failed and what could not be tried.
+bool is_error(const Mark& mark) {
+    return mark.verdict == MarkVerdict::compile_error || mark.verdict == MarkVerdict::unsandboxed ||
+           mark.verdict == MarkVerdict::internal;
+}
+
 std::string test_case(const Marks& marks, const Mark& mark) {
     std::string text =
         fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
                     escape_xml(marks.lab), escape_xml(mark.id + " " + mark.title), mark.seconds);
     if (mark.verdict == MarkVerdict::pass) return text + "/>\n";
-    const bool is_error = mark.verdict == MarkVerdict::compile_error;
-    const char* tag = is_error ? "error" : "failure";
+    const char* tag = is_error(mark) ? "error" : "failure";
     const std::string first = mark.reasons.empty() ? name(mark.verdict) : mark.reasons.front();
     return text + fmt::format(">\n    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n  </testcase>\n",
                               tag, name(mark.verdict), escape_xml(shortened(first, 500)),
@@ -79,8 +85,8 @@ std::string junit(const Marks& marks) {
     int failures = 0, errors = 0;
     for (const Mark& mark : marks.tasks) {
         cases += test_case(marks, mark);
-        errors += mark.verdict == MarkVerdict::compile_error;
-        failures += mark.verdict != MarkVerdict::pass && mark.verdict != MarkVerdict::compile_error;
+        errors += is_error(mark);
+        failures += mark.verdict != MarkVerdict::pass && !is_error(mark);
     }
     if (!marks.trouble.empty()) {
         ++errors;
@@ -150,10 +156,13 @@ std::string github_summary(const Marks& marks) {
             return text + "\nThe rest did not fit: a summary has at most one megabyte.\n";
         text += row;
     }
+    if (const std::string said = circumstances(marks); !said.empty())
+        text += "\n" + cell(said) + "\n";
     return text;
 }
 
 std::string write_marks(const std::string& format, const Marks& marks) {
+    if (format == "marks") return marks_json(marks);
     if (format == "gradescope") return gradescope(marks);
     if (format == "prairielearn") return prairielearn(marks);
     if (format == "classroom50") return classroom50(marks, Classroom50::from_environment());
@@ -167,7 +176,7 @@ std::string write_marks(const std::string& format, const Marks& marks) {
 
 const std::vector<std::string>& mark_formats() {
     static const std::vector<std::string> names = {
-        "gradescope", "prairielearn", "classroom50", "junit", "csv", "github", "summary"};
+        "marks", "gradescope", "prairielearn", "classroom50", "junit", "csv", "github", "summary"};
     return names;
 }
 
