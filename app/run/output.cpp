@@ -4,6 +4,7 @@
 #include "app/run/process_words.h"
 #include "common/cli/progress.h"
 #include "common/simt/finding_text.h"
+#include "grader/results/text.h"
 
 #include <fmt/format.h>
 
@@ -47,17 +48,6 @@ std::string all_that_was_checked(const Result& result) {
         if (std::exchange(last, execution.mode) != execution.mode)
             text += "checked " + what_was_checked(execution) + "\n";
     return text;
-}
-
-// Of an annotation, as GitHub wants it.
-std::string escaped(const std::string& text, bool is_property) {
-    std::string out;
-    for (char c : text)
-        if (c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ',')))
-            out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-        else
-            out += c;
-    return out;
 }
 
 } // namespace
@@ -105,11 +95,11 @@ std::string to_github(const Result& result) {
              {in_words(finding.actor), finding.other ? simt::other_end(finding) : std::string(),
               finding.advice.empty() ? std::string() : "to mend it: " + finding.advice})
             if (!more.empty()) words += "\n" + more;
-        std::string where = "file=" + escaped(finding.place.file, true);
+        std::string where = "file=" + escape_github(finding.place.file, true);
         if (finding.place.line > 0) where += fmt::format(",line={}", finding.place.line);
         if (finding.place.column > 0) where += fmt::format(",col={}", finding.place.column);
-        text += fmt::format("::{} {},title={}::{}\n", level, where, escaped(finding.kind, true),
-                            escaped(words, false));
+        text += fmt::format("::{} {},title={}::{}\n", level, where,
+                            escape_github(finding.kind, true), escape_github(words, false));
     }
     return text + all_that_was_checked(result);
 }

@@ -40,32 +40,6 @@ std::string random_nonce() {
 
 } // namespace
 
-std::string escape_html(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        case '\'':
-            out += "&#39;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
-
 std::string escape_script_json(std::string json) {
     for (std::size_t i = 0; (i = json.find('<', i)) != std::string::npos;)
         json.replace(i, 1, "\\u003c");

@@ -1,16 +1,14 @@
-// What is needed to write HTML: escaping, pictures as data addresses, and a page around
-// them.
+// What is needed to write HTML: escaping (grader/results/text.h), pictures as data addresses, and a
+// page around them.
 #pragma once
 
 #include "common/image/image.h"
+#include "grader/results/text.h"
 
 #include <string>
 #include <string_view>
 
 namespace raylab {
-
-// Text as it may stand between tags and inside quoted attributes.
-std::string escape_html(std::string_view text);
 
 // JSON as it may stand inside <script>: no '<' can close the element.
 std::string escape_script_json(std::string json);

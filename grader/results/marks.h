@@ -53,7 +53,7 @@ struct Mark {
 
 struct Marks {
     std::string lab, title; // "02_iterative", "The iterative kernel"
-    std::string grader;     // program and version: who says this
+    std::string grader;     // the program that says this
     std::vector<Mark> tasks;
     std::string sandbox;  // how the submission was kept apart: "tier 1: bubblewrap, cgroup v2"
     std::string compiler; // the compiler's words, if the submission does not compile

@@ -1,5 +1,7 @@
 #include "grader/results/text.h"
 
+#include <fmt/format.h>
+
 namespace raylab {
 
 namespace {
@@ -55,29 +57,46 @@ std::string shortened(const std::string& text, std::size_t bytes) {
     return text.substr(0, keep) + std::string(end.substr(0, bytes));
 }
 
-std::string escape_xml(std::string_view text) {
-    std::string escaped;
-    for (const char c : clean_utf8(text)) {
+std::string escape_html(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
         switch (c) {
         case '&':
-            escaped += "&amp;";
+            out += "&amp;";
             break;
         case '<':
-            escaped += "&lt;";
+            out += "&lt;";
             break;
         case '>':
-            escaped += "&gt;";
+            out += "&gt;";
             break;
         case '"':
-            escaped += "&quot;";
+            out += "&quot;";
             break;
-        case '\n':
-            escaped += "&#10;";
+        case '\'':
+            out += "&#39;";
             break;
         default:
-            escaped += c;
+            out += c;
         }
     }
+    return out;
+}
+
+std::string escape_xml(std::string_view text) {
+    std::string escaped;
+    for (const char c : escape_html(clean_utf8(text)))
+        escaped += c == '\n' ? std::string("&#10;") : std::string(1, c);
+    return escaped;
+}
+
+std::string escape_github(std::string_view text, bool is_property) {
+    std::string escaped;
+    for (const char c : text)
+        if (c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ',')))
+            escaped += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        else
+            escaped += c;
     return escaped;
 }
 

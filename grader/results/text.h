@@ -12,7 +12,13 @@ std::string shortened(const std::string& text, std::size_t bytes);
 // Valid UTF-8 without control characters except tab and line break: each other byte becomes U+FFFD.
 std::string clean_utf8(std::string_view text);
 
+// Text as it may stand between tags and inside quoted attributes.
+std::string escape_html(std::string_view text);
+
 // clean_utf8() as it may stand in XML, between tags and in attributes.
 std::string escape_xml(std::string_view text);
+
+// The message of an annotation in GitHub's log, or one of its properties: file, title.
+std::string escape_github(std::string_view text, bool is_property);
 
 } // namespace raylab

@@ -44,24 +44,6 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
-// As GitHub wants the message and, with ',' and ':' too, the properties of an annotation.
-std::string escaped(const std::string& text, bool property) {
-    std::string result;
-    for (const char c : clean_utf8(text)) {
-        if (c == '%')
-            result += "%25";
-        else if (c == '\n')
-            result += "%0A";
-        else if (property && c == ',')
-            result += "%2C";
-        else if (property && c == ':')
-            result += "%3A";
-        else
-            result += c;
-    }
-    return result;
-}
-
 // In a cell of a table; Markdown and HTML in it are text.
 std::string cell(const std::string& text) {
     std::string result;
@@ -69,7 +51,7 @@ std::string cell(const std::string& text) {
         if (c == '\n')
             result += "<br>";
         else if (c == '&' || c == '<' || c == '>')
-            result += escape_xml(std::string_view(&c, 1));
+            result += escape_html(std::string_view(&c, 1));
         else if (std::string_view("|\\`*_[]#~").find(c) != std::string_view::npos)
             result += std::string("\\") + c;
         else
@@ -116,7 +98,8 @@ std::string csv(const Marks& marks) {
 
 std::string github_annotations(const Marks& marks) {
     if (!marks.trouble.empty())
-        return fmt::format("::error title=INTERNAL::{}\n", escaped(marks.trouble, false));
+        return fmt::format("::error title=INTERNAL::{}\n",
+                           escape_github(clean_utf8(marks.trouble), false));
     std::vector<const Mark*> bad;
     for (const Mark& mark : marks.tasks)
         if (mark.verdict != MarkVerdict::pass) bad.push_back(&mark);
@@ -129,12 +112,13 @@ std::string github_annotations(const Marks& marks) {
     for (std::size_t i = 0; i < shown; ++i) {
         const Mark& mark = *bad[i];
         std::string where;
-        if (!mark.file.empty()) where += "file=" + escaped(mark.file, true) + ",";
+        if (!mark.file.empty()) where += "file=" + escape_github(clean_utf8(mark.file), true) + ",";
         if (!mark.file.empty() && mark.line > 0) where += fmt::format("line={},", mark.line);
         text += fmt::format(
             "::error {}title={}::{}\n", where,
-            escaped(fmt::format("{} {} {}", name(mark.verdict), mark.id, mark.title), true),
-            escaped(shortened(explanation(mark), 4000), false));
+            escape_github(
+                clean_utf8(fmt::format("{} {} {}", name(mark.verdict), mark.id, mark.title)), true),
+            escape_github(clean_utf8(shortened(explanation(mark), 4000)), false));
     }
     if (folded)
         text += fmt::format("::error title=And more::{} more tasks are not passed; the summary has "
