@@ -4,16 +4,14 @@
 // The program starts itself again under gdb, with the same command line. The environment's
 // RAYLAB_STOP tells the second start where to stop (common/sampling/path_stop.h).
 #include "app/commands.h"
+#include "app/gdb.h"
 #include "common/sampling/path_stop.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 namespace raylab::app {
 
@@ -63,24 +61,11 @@ std::vector<std::string> own_command_line() {
     return arguments;
 }
 
-[[noreturn]] void start_gdb(const DebugOptions& options, const Scene& scene) {
+void start_gdb(const DebugOptions& options, const Scene& scene) {
     const int pixel = options.pixel[1] * scene.camera.width + options.pixel[0];
     const std::string stop = fmt::format("{} {} {}", pixel, options.sample, options.bounce);
     setenv(stop_variable, stop.c_str(), 1);
-    std::vector<std::string> words = {"gdb",   "-q",
-                                      "-iex",  "set debuginfod enabled off",
-                                      "-x",    RAYLAB_ROOT "/app/gdb_kernels.py",
-                                      "-d",    RAYLAB_ROOT,
-                                      "-ex",   "break raylab::path_stop",
-                                      "-ex",   "run",
-                                      "--args"};
-    for (std::string& argument : own_command_line()) words.push_back(std::move(argument));
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execvp("gdb", arguments.data());
-    throw std::runtime_error(
-        fmt::format("cannot start gdb: {} (on Debian: apt-get install gdb)", std::strerror(errno)));
+    run_gdb(RAYLAB_ROOT, "raylab::path_stop", own_command_line());
 }
 
 ExitCode run_debug(DebugOptions options) {
@@ -89,7 +74,10 @@ ExitCode run_debug(DebugOptions options) {
     check_lab_options(lab, options.machine);
     const Scene scene = load_changed_scene(options.scene, options.changes);
     check_stop(options, scene);
-    if (std::getenv(stop_variable) == nullptr) start_gdb(options, scene);
+    if (std::getenv(stop_variable) == nullptr) {
+        start_gdb(options, scene);
+        return ExitCode::success;
+    }
 
     const auto renderer = lab.make(scene, options.machine);
     for (int done = 0; done <= options.sample; ++done) renderer->add_iteration();

@@ -1,8 +1,8 @@
 #include "app/run/debug.h"
 
+#include "app/gdb.h"
 #include "app/run/build_program.h"
 #include "app/run/output.h"
-#include "app/run/process_words.h"
 #include "app/run/work_folder.h"
 #include "common/cli/exit_codes.h"
 
@@ -26,14 +26,9 @@ int debug(const Tree& tree, const RunOptions& options) {
     const std::string order =
         options.order == "random" ? fmt::format("random:{}", options.seed) : options.order;
     if (!order.empty()) setenv("RAYLAB_ORDER", order.c_str(), 1);
-    std::string command = "gdb -q -iex 'set debuginfod enabled off' -x " +
-                          in_quotes((tree.root / "app/gdb_kernels.py").string()) +
-                          " -ex 'break main' -ex run --args " + in_quotes(built.file.string());
-    for (const std::string& argument : options.arguments) command += " " + in_quotes(argument);
-    // system() leaves Ctrl-C to gdb.
-    const int status = std::system(command.c_str());
-    if (status == 127 << 8)
-        throw std::runtime_error("there is no gdb: on Debian, apt-get install gdb");
+    std::vector<std::string> command = {built.file.string()};
+    command.insert(command.end(), options.arguments.begin(), options.arguments.end());
+    run_gdb(tree.root, "main", command);
     return int(ExitCode::success);
 }
 

@@ -64,7 +64,10 @@ void add_options(CLI::App& app, RunOptions& options, Formats& formats) {
     json->excludes(sarif)->excludes(github);
     sarif->excludes(github);
     app.add_flag("--gdb", options.gdb, "start gdb with the program, stopped at its beginning")
-        ->excludes("--machine");
+        ->excludes("--machine")
+        ->excludes(json)
+        ->excludes(sarif)
+        ->excludes(github);
     app.add_flag("--raw", options.raw, "show what the sanitizers wrote, too");
     app.add_option(
            "--time-limit", options.time_limit,

@@ -1,16 +1,9 @@
-// Words to other programs, and from them.
+// Words from other programs.
 #pragma once
 
 #include <string>
 
 namespace raylab::app {
-
-// A word of a command for the shell.
-inline std::string in_quotes(const std::string& word) {
-    std::string text = "'";
-    for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
 
 // The last lines of a long text, each with its line break.
 inline std::string last_lines(const std::string& text, int count = 30) {

@@ -155,6 +155,12 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     return result;
 }
 
+std::string in_quotes(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 std::string why_failed(const ProcessResult& result) {
     if (!result.started) return "could not be started: " + result.output;
     if (result.timed_out) return fmt::format("timed out after {:.0f} s", result.seconds);

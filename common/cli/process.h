@@ -34,6 +34,9 @@ struct ProcessOptions {
 // own children. Errors are reported in the result, and nothing is thrown.
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options);
 
+// A word of a command for the shell.
+std::string in_quotes(const std::string& word);
+
 // Why it did not succeed, in half a sentence: "exit status 3: ImportError: no module mitsuba".
 std::string why_failed(const ProcessResult& result);
 
