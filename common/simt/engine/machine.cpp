@@ -3,6 +3,7 @@
 
 #include "common/simt/api/kernels.h"
 #include "common/simt/engine/cooperative.h"
+#include "common/simt/engine/environment.h"
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/memory.h"
 #include "common/simt/engine/registered.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -26,28 +26,6 @@ namespace raylab::simt {
 namespace {
 
 constexpr size_t usual_shared = 48 << 10, most_shared = 99 << 10; // bytes a block may have
-
-// RAYLAB_ORDER is forward, reverse, random or random:SEED; RAYLAB_WORKERS a number of threads.
-Options options_of_environment() {
-    Options options;
-    options.print_reports = print_reports();
-    if (const char* workers = std::getenv("RAYLAB_WORKERS"))
-        options.threads = std::clamp(std::atoi(workers), 0, 1024);
-    const char* text = std::getenv("RAYLAB_ORDER");
-    const std::string order = text ? text : "";
-    if (order.empty() || order == "forward") return options;
-    if (order == "reverse") {
-        options.order = Order::reverse;
-    } else if (unsigned long long seed = 1;
-               order == "random" || std::sscanf(text, "random:%llu", &seed) == 1) {
-        options.order = Order::random;
-        options.seed = seed;
-    } else {
-        end_with_message("error: RAYLAB_ORDER is '" + order +
-                         "'\n  expected: forward, reverse, random or random:SEED");
-    }
-    return options;
-}
 
 // CUDA's runtime is one for the whole process, and so is this.
 struct Machine {
@@ -115,11 +93,6 @@ Refusal check_configuration(const Launch& launch) {
 }
 
 } // namespace
-
-bool print_reports() {
-    const char* reports = std::getenv("RAYLAB_REPORTS");
-    return !reports || std::string(reports) != "0";
-}
 
 cudaError_t refuse(cudaError_t code, const std::string& report) {
     std::lock_guard lock(machine().state);

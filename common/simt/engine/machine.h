@@ -23,10 +23,6 @@ void warn(const std::string& report);
 // The fault that every call must return, or cudaSuccess.
 cudaError_t sticky_error();
 
-// Whether reports go to stderr, and a leak to the program's exit status: not where the environment
-// says RAYLAB_REPORTS=0, for whoever reads the findings has them already.
-bool print_reports();
-
 // How many worker threads the options ask for; 1 in a check build.
 int worker_count();
 

@@ -3,6 +3,7 @@
 #include "common/simt/engine/memory.h"
 
 #include "common/simt/engine/block.h"
+#include "common/simt/engine/environment.h"
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/machine.h"
 #include "common/simt/engine/pages.h"

@@ -4,6 +4,7 @@
 #if defined(RAYLAB_CHECK_ADDRESS)
 
 #include "common/simt/engine/block.h"
+#include "common/simt/engine/environment.h"
 #include "common/simt/engine/findings.h"
 #include "common/simt/engine/interrupted.h"
 #include "common/simt/engine/machine.h"
