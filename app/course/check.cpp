@@ -1,4 +1,4 @@
-// raylab check LAB [TASK]: NOT IMPLEMENTED, WRONG or PASS for each task, in seconds.
+// raylab check LAB [TASK]: NOT IMPLEMENTED, WAITS, WRONG or PASS for each task, in seconds.
 #include "app/course/check_run.h"
 #include "app/course/commands.h"
 #include "app/course/marks_of.h"
@@ -126,7 +126,7 @@ ExitCode run_check(const Tree& tree, const CheckOptions& options) {
 
 Run add_check(CLI::App& app, const Tree& tree) {
     auto options = std::make_shared<CheckOptions>();
-    app.description("Build a lab and test its tasks: NOT IMPLEMENTED, WRONG or PASS.");
+    app.description("Build a lab and test its tasks: NOT IMPLEMENTED, WAITS, WRONG or PASS.");
     app.add_option("LAB", options->lab, "lab: 01, 02, ... or its folder's name")->required();
     app.add_option("TASK", options->task, "one task, such as 2.3 (default: all)");
     app.add_flag("--watch", options->watch, "check again whenever a file of the lab changes");

@@ -3,7 +3,7 @@
 
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
-#include "grader/course/contains.h"
+#include "grader/course/needs_first.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -77,28 +77,6 @@ bool is_the_labs(const ProcessResult& build, const std::string& errors, const La
     return errors.find("labs/" + sheet.folder) != std::string::npos;
 }
 
-// A task that builds on a wrong one may be right itself: its facts would lead astray. Of two tasks
-// that need each other, the first in the lab's order is mended first.
-void say_what_is_needed_first(std::vector<TaskResult>& results) {
-    const auto comes_first = [&](const std::string& need, const TaskResult& result) {
-        return std::any_of(results.begin(), results.end(), [&](const TaskResult& other) {
-            const bool mutual = contains(other.task.needs, result.task.id);
-            return other.task.id == need && other.verdict == Verdict::wrong &&
-                   (!mutual || &other < &result);
-        });
-    };
-    for (TaskResult& result : results) {
-        if (result.verdict != Verdict::wrong) continue;
-        for (const std::string& need : result.task.needs)
-            if (comes_first(need, result))
-                result.facts.insert(
-                    result.facts.begin(),
-                    fmt::format("needs first: task {}, which is WRONG; mend it and check "
-                                "this task again",
-                                need));
-    }
-}
-
 } // namespace
 
 bool CheckReport::passed() const {
@@ -143,9 +121,9 @@ std::string to_text(const CheckReport& report) {
         text += fmt::format("{:15}  {}  {} ({}/{} points)\n", name(result.verdict), result.task.id,
                             result.task.title, result.points(), result.task.points);
         for (const Stub& stub : result.stubs)
-            text += fmt::format(
-                "    {}{}\n", stub.task == result.task.id ? "" : "needs first: ", stub.sentence());
+            text += fmt::format("    {}{}\n", result.before(stub), stub.sentence());
         for (const std::string& fact : result.facts) text += fmt::format("    {}\n", fact);
+        for (const std::string& line : result.said) text += fmt::format("    | {}\n", line);
         if (result.verdict != Verdict::pass)
             text += fmt::format("    read on: labs/{}/README.md, \"{}\"\n", report.sheet.folder,
                                 result.task.hints);
@@ -171,6 +149,7 @@ std::string to_json(const CheckReport& report) {
                          {"tests_passed", result.passed},
                          {"not_implemented", stubs},
                          {"facts", result.facts},
+                         {"said", result.said},
                          {"seconds", result.seconds}});
     }
     const nlohmann::ordered_json json = {{"lab", report.sheet.number},

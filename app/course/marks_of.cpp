@@ -12,6 +12,8 @@ MarkVerdict verdict_of(Verdict verdict) {
     switch (verdict) {
     case Verdict::not_implemented:
         return MarkVerdict::not_implemented;
+    case Verdict::waits:
+        return MarkVerdict::not_run; // its tests ended at the stub of another task
     case Verdict::wrong:
         return MarkVerdict::wrong;
     case Verdict::pass:
@@ -53,8 +55,7 @@ void judge(Mark& mark, const TaskResult& result) {
     mark.verdict = verdict_of(result.verdict);
     mark.seconds = result.seconds;
     for (const Stub& stub : result.stubs)
-        mark.reasons.push_back((stub.task == result.task.id ? "" : "needs first: ") +
-                               stub.sentence());
+        mark.reasons.push_back(result.before(stub) + stub.sentence());
     if (!result.stubs.empty()) set_place(mark, result.stubs.front().place);
     mark.reasons.insert(mark.reasons.end(), result.facts.begin(), result.facts.end());
 }

@@ -77,7 +77,7 @@ std::string student_readme(const LabSheet& sheet) {
         return fmt::format("    {:40}# {}\n", "./raylab " + command, what);
     };
     std::string commands =
-        line("check " + sheet.number, "every task: NOT IMPLEMENTED, WRONG or PASS") +
+        line("check " + sheet.number, "every task: NOT IMPLEMENTED, WAITS, WRONG or PASS") +
         line(fmt::format("check {} {} --watch", sheet.number, sheet.tasks.front().id),
              "one task, again at every save");
     if (!sheet.scenes.empty())

@@ -4,6 +4,7 @@
 #include "common/cli/process.h"
 #include "common/simt/finding.h"
 #include "grader/course/contains.h"
+#include "grader/course/said.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <regex>
 #include <sstream>
 #include <unistd.h>
@@ -27,7 +29,7 @@ constexpr double test_limit_seconds = 30; // the labs' own take milliseconds
 struct TestOutcome {
     bool passed = false;
     bool launches = false; // kernels of the CPU machine were run
-    std::vector<std::string> facts;
+    std::vector<std::string> facts, said;
     std::vector<Stub> stubs;
 };
 
@@ -118,7 +120,7 @@ std::string crash_fact(const std::string& name, int signal, const std::string& l
 struct Report {
     bool completed = false; // it ran to its end
     std::string result;     // if it did not: "SKIPPED", or "SUPPRESSED" if disabled
-    std::vector<std::string> facts;
+    std::vector<std::string> failures;
 };
 
 Report read_report(const std::string& text) {
@@ -131,7 +133,7 @@ Report read_report(const std::string& text) {
             report.completed = report.result == "COMPLETED";
             if (test.contains("failures"))
                 for (const auto& failure : test.at("failures"))
-                    report.facts.push_back(fact_in(failure.at("failure")));
+                    report.failures.push_back(failure.at("failure"));
         }
     return report;
 }
@@ -173,6 +175,7 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
     TestOutcome outcome;
     outcome.passed = process.succeeded() && report.completed;
     outcome.stubs = stubs_met(process.output);
+    outcome.said = said_by_test(process.output, name, report.failures);
     const simt::FindingsFile found = simt::parse_findings(read_file(findings.path()));
     outcome.launches = found.summary && found.summary->launches > 0;
     const std::vector<std::string> mistakes = watched_mistakes(found.findings);
@@ -190,7 +193,8 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
                                      "over; the likely cause: a call of exit()",
                                      name, process.exit_code)};
     else
-        outcome.facts = report.facts;
+        std::transform(report.failures.begin(), report.failures.end(),
+                       std::back_inserter(outcome.facts), fact_in);
     outcome.passed = false;
     outcome.facts.insert(outcome.facts.end(), mistakes.begin(), mistakes.end());
     if (outcome.facts.empty())
@@ -218,6 +222,12 @@ template <class T> void append_new(std::vector<T>& list, const T& value) {
 
 std::string Stub::sentence() const {
     return fmt::format("task {} {} is not implemented: {}", task, function, place);
+}
+
+std::string TaskResult::before(const Stub& stub) const {
+    if (stub.task == task.id) return "";
+    return verdict == Verdict::waits ? fmt::format("written, waits for {}: ", stub.task)
+                                     : "needs first: ";
 }
 
 std::vector<Stub> standing_stubs(const LabSheet& sheet, const fs::path& lab_folder,
@@ -255,6 +265,7 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& p
             tells = false;
             append_new(stub.task == task.id ? own : needed, stub);
         }
+        for (const std::string& line : test.said) append_new(result.said, line);
         if (!tells) continue;
         for (const std::string& fact : test.facts) append_new(result.facts, fact);
     }
@@ -268,7 +279,7 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& p
     else if (result.passed == result.tests)
         result.verdict = Verdict::pass;
     else if (result.facts.empty())
-        result.verdict = Verdict::not_implemented, result.stubs = needed;
+        result.verdict = Verdict::waits, result.stubs = needed;
     else
         result.verdict = Verdict::wrong;
     return result;
@@ -278,6 +289,8 @@ const char* name(Verdict verdict) {
     switch (verdict) {
     case Verdict::not_implemented:
         return "NOT IMPLEMENTED";
+    case Verdict::waits:
+        return "WAITS";
     case Verdict::wrong:
         return "WRONG";
     case Verdict::pass:

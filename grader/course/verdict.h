@@ -1,4 +1,4 @@
-// NOT IMPLEMENTED, WRONG or PASS: what the tests of a task say about a lab.
+// NOT IMPLEMENTED, WAITS, WRONG or PASS: what the tests of a task say about a lab.
 //
 // Each test runs in a process of its own: one that crashes or never ends takes no other with it,
 // and what a stub says belongs to the test that met it. A test with a kernel runs with the CUDA
@@ -12,7 +12,8 @@
 
 namespace raylab {
 
-enum class Verdict { not_implemented, wrong, pass };
+// waits: it is written, but its tests met the stub of another task, which it needs.
+enum class Verdict { not_implemented, waits, wrong, pass };
 
 // "task 2.3 trace_kernel() is not implemented: labs/02_iterative/renderer.cu:41"
 struct Stub {
@@ -24,12 +25,16 @@ struct Stub {
 struct TaskResult {
     Task task;
     Verdict verdict = Verdict::pass;
-    std::vector<Stub> stubs;        // why not implemented: of this task, or of one that it needs
+    std::vector<Stub> stubs;        // not_implemented: of this task; waits: of those that it needs
     std::vector<std::string> facts; // what was measured to be wrong, where no stub was met
+    std::vector<std::string> said;  // what the lab's own printf() printed in these tests (said.h)
     int tests = 0, passed = 0;
     double seconds = 0;
 
     int points() const { return verdict == Verdict::pass ? task.points : 0; }
+
+    // What stands before the sentence of one of its stubs.
+    std::string before(const Stub& stub) const;
 };
 
 // Runs the tests of a task, all from `program`, whose sources are in sheet.root (or a copy of the
@@ -45,6 +50,6 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const std::filesy
 std::vector<Stub> standing_stubs(const LabSheet& sheet, const std::filesystem::path& lab_folder,
                                  const Task& task);
 
-const char* name(Verdict verdict); // "NOT IMPLEMENTED", "WRONG", "PASS"
+const char* name(Verdict verdict); // "NOT IMPLEMENTED", "WAITS", "WRONG", "PASS"
 
 } // namespace raylab

@@ -74,6 +74,11 @@ TEST(Talking, One) {
     for (int i = 0; i < 1000; ++i) std::fputs(std::string(10000, '.').c_str(), stdout);
 }
 
+TEST(Printing, One) {
+    std::puts("thread 3: 0.5");
+    task::expect(false, "a fact");
+}
+
 // Before any test begins.
 const bool ended = [] {
     const char* how = std::getenv("RAYLAB_FAKE_LAB_ENDS");

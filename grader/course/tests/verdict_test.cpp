@@ -81,8 +81,9 @@ TEST_F(Verdicts, WhatIsDoneOfATaskIsJudgedBesideItsStub) {
 
 TEST_F(Verdicts, AStubOfANeededTaskIsNamedAndOfAnotherIsNot) {
     const TaskResult needing = judge("7.9", "Needing.*", {"7.3"});
-    EXPECT_EQ(needing.verdict, Verdict::not_implemented);
+    EXPECT_EQ(needing.verdict, Verdict::waits);
     EXPECT_EQ(needing.stubs.at(0).task, "7.3");
+    EXPECT_EQ(needing.before(needing.stubs[0]), "written, waits for 7.3: ");
     EXPECT_EQ(judge("7.9", "Needing.*").verdict, Verdict::wrong);
 }
 
@@ -138,6 +139,13 @@ TEST_F(Verdicts, EndingTheProgramWithinATestPassesNothing) {
 
 TEST_F(Verdicts, MegabytesOfOutputChangeNothing) {
     EXPECT_EQ(judge("7.9", "Talking.*").verdict, Verdict::pass);
+}
+
+TEST_F(Verdicts, WhatTheLabItselfPrintsIsShown) {
+    const TaskResult result = judge("7.9", "Printing.*");
+    EXPECT_EQ(result.verdict, Verdict::wrong);
+    EXPECT_EQ(result.said, std::vector<std::string>{"thread 3: 0.5"});
+    EXPECT_EQ(result.facts, std::vector<std::string>{"a fact"});
 }
 
 } // namespace
