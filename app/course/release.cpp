@@ -4,6 +4,7 @@
 #include "app/course/commands.h"
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
+#include "grader/course/answers.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +25,7 @@ constexpr double step_limit_seconds = 3600; // a first build, on a slow machine
 struct ReleaseOptions {
     std::string folder;
     std::vector<std::string> labs;
-    bool no_build = false;
+    bool no_build = false, give_away = false;
 };
 
 // Only one release at a time may write to a folder, because each begins by removing what an
@@ -95,7 +96,15 @@ void expect_render(const LabSheet& sheet, const fs::path& tree) {
                                              sheet.number, render.exit_code, render.output));
 }
 
-void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
+// A tree that is written, in a folder of its own beside its place.
+struct Part {
+    LabSheet sheet;
+    fs::path folder, target;
+    ReleasedTree tree;
+    std::vector<Answer> answers; // to tasks of earlier labs
+};
+
+Part write_part(const LabSheet& sheet, const ReleaseOptions& options) {
     const fs::path target = fs::path(options.folder) / sheet.folder;
     const fs::path part = fs::absolute(fs::path(options.folder) / ("." + sheet.folder + ".part"));
     if (fs::exists(target))
@@ -111,23 +120,49 @@ void release_lab(const LabSheet& sheet, const ReleaseOptions& options) {
         std::string list;
         for (const std::string& leak : found) list += "\n  " + leak;
         fs::remove_all(part);
-        throw std::runtime_error(fmt::format("lines of lab {}'s solution stand in what its "
-                                             "students would get:{}",
+        throw std::runtime_error(fmt::format("lines of solutions that are not to be seen stand in "
+                                             "what students of lab {} would get:{}",
                                              sheet.number, list));
     }
+    return {sheet, part, target, tree, earlier_answers(sheet, part)};
+}
+
+// Who gets two trees at once can read in one what he is to write in the other.
+void expect_nothing_given_away(const std::vector<Part>& parts) {
+    std::string told;
+    for (const Part& part : parts)
+        for (const Part& other : parts) {
+            std::vector<Answer> answers;
+            for (const Answer& answer : part.answers)
+                if (other.sheet.find(answer.task)) answers.push_back(answer);
+            if (!answers.empty())
+                told += fmt::format("lab {}'s tree answers tasks of lab {}:\n{}", part.sheet.number,
+                                    other.sheet.number, to_text(answers));
+        }
+    if (told.empty()) return;
+    for (const Part& part : parts) fs::remove_all(part.folder);
+    throw CourseError(fmt::format("{}Nothing was released. Release one lab when its predecessor is "
+                                  "handed in (--labs {}), or all the same with --give-away",
+                                  told, parts.front().sheet.number));
+}
+
+void build_and_name(const Part& part, const ReleaseOptions& options) {
     if (!options.no_build) {
         fmt::print(stderr, "{}: building and checking it as its students will, for minutes\n",
-                   target.string());
-        expect_stubs(sheet, part);
-        expect_render(sheet, part);
-        fs::remove_all(part / "build"); // it contains the path of the temporary folder
+                   part.target.string());
+        expect_stubs(part.sheet, part.folder);
+        expect_render(part.sheet, part.folder);
+        fs::remove_all(part.folder / "build"); // it contains the path of the temporary folder
     }
-    fs::rename(part, target);
-    fmt::print("{}: {} files; none of {} lines of the solution; {}\n", target.string(), tree.files,
-               tree.solution_lines.size(),
+    fs::rename(part.folder, part.target);
+    fmt::print("{}: {} files; none of {} lines of this lab's and later solutions; {}\n",
+               part.target.string(), part.tree.files, part.tree.solution_lines.size(),
                options.no_build ? "not built"
                                 : fmt::format("built: all {} tasks NOT IMPLEMENTED, renders",
-                                              sheet.tasks.size()));
+                                              part.sheet.tasks.size()));
+    if (!part.answers.empty())
+        fmt::print("  it stands on earlier labs, and answers of their tasks:\n{}",
+                   to_text(part.answers));
 }
 
 ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
@@ -139,10 +174,13 @@ ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
     std::vector<LabSheet> sheets; // all are read before the first is released
     for (const std::string& lab : labs) sheets.push_back(find_lab(tree.root, lab));
     const FolderLock lock(options.folder);
-    Progress progress("releasing", static_cast<int>(sheets.size()), "labs", 1);
+    std::vector<Part> parts;
+    for (const LabSheet& sheet : sheets) parts.push_back(write_part(sheet, options));
+    if (!options.give_away) expect_nothing_given_away(parts);
+    Progress progress("releasing", static_cast<int>(parts.size()), "labs", 1);
     int done = 0;
-    for (const LabSheet& sheet : sheets) {
-        release_lab(sheet, options);
+    for (const Part& part : parts) {
+        build_and_name(part, options);
         progress.update(++done);
     }
     return ExitCode::success;
@@ -158,9 +196,13 @@ Run add_release(CLI::App& app, const Tree& tree) {
     app.add_option("--labs", options->labs, "labs, such as 01,02 (default: all)")->delimiter(',');
     app.add_flag("--no-build", options->no_build,
                  "do not build and check each tree before it appears");
-    app.footer("Examples:\n  raylab release -o out/students\n"
-               "  raylab release -o out/students --labs 01\n"
-               "Each lab's tree is whole: ./raylab check, render and demo work in it.");
+    app.add_flag("--give-away", options->give_away,
+                 "write trees of which one answers tasks of another");
+    app.footer(
+        "Examples:\n  raylab release -o out/students --labs 02\n"
+        "  raylab release -o out/all --give-away\n"
+        "A lab's tree stands on the labs before it and has answers to their tasks: a table "
+        "says which.\nEach lab's tree is whole: ./raylab check, render and demo work in it.");
     return [options, tree] { return run_release(tree, *options); };
 }
 

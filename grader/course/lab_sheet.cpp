@@ -91,6 +91,23 @@ void check_needs(const Node& tasks, const LabSheet& sheet) {
                                                       did_you_mean(id, sheet.task_ids())));
 }
 
+// A released tree does not have the files that the release withheld, so they are not looked for.
+std::vector<Withheld> read_withheld(const Node& files, const LabSheet& sheet) {
+    std::vector<Withheld> withheld;
+    for (const auto& [file, answers] : files.members()) {
+        withheld.push_back({file, {}});
+        for (const Node& id : answers.elements()) {
+            if (!sheet.find(id.string()))
+                id.fail(fmt::format("lab {} has no task '{}'{}", sheet.number, id.string(),
+                                    did_you_mean(id.string(), sheet.task_ids())));
+            withheld.back().answers.insert(id.string());
+        }
+        if (withheld.back().answers.empty())
+            answers.fail("name at least one task that this file answers");
+    }
+    return withheld;
+}
+
 LabSheet read_document(const JsonDocument& document, const fs::path& root,
                        const std::string& folder) {
     const Node top(document);
@@ -114,15 +131,12 @@ LabSheet read_document(const JsonDocument& document, const fs::path& root,
     sheet.test_target = filled(top.at("tests"));
     sheet.test_files = read_files(top.at("test_files"), sheet.path());
     if (const auto scenes = top.find("scenes")) sheet.scenes = read_words(*scenes);
-    if (const auto withhold = top.find("withhold")) {
-        // A released tree does not have the files that the release withheld, so they are not looked
-        // for.
-        sheet.withhold = read_words(*withhold);
-    }
     for (const Node& node : top.at("tasks").elements())
         sheet.tasks.push_back(read_task(node, sheet));
     if (sheet.tasks.empty()) top.at("tasks").fail("a lab has at least one task");
     check_needs(top.at("tasks"), sheet);
+    if (const auto withhold = top.find("withhold"))
+        sheet.withhold = read_withheld(*withhold, sheet);
     return sheet;
 }
 

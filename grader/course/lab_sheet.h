@@ -4,7 +4,7 @@
 //       "tests": "lab02_tasks_test",
 //       "test_files": ["tests/loop_test.cpp", ...],
 //       "scenes": ["cornell", ...],
-//       "withhold": ["common/trace/intersect.h", ...],
+//       "withhold": { "common/trace/intersect.h": ["1.2"], ... },
 //       "tasks": [ { "id": "2.1", "title": "...", "points": 30, "minutes": 90,
 //                    "files": ["path.h"], "tests": ["Task2_1.*"], "needs": [],
 //                    "hints": "2.1 The loop", "picture": "what you should see" }, ... ] }
@@ -13,6 +13,7 @@
 #include "grader/course/course_error.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct Task {
     std::string picture;            // what should be seen when it is done
 };
 
+// A file of common, by its place in the tree, that answers tasks of a lab: left out of its release,
+// or in part (markers.h, `withhold`).
+struct Withheld {
+    std::string file;
+    std::set<std::string> answers; // ids of the lab's tasks
+};
+
 struct LabSheet {
     std::filesystem::path root; // of the tree that the lab is in
     std::string number;         // "02"
@@ -38,9 +46,7 @@ struct LabSheet {
     std::string test_target;             // the program that has the tests of all tasks
     std::vector<std::string> test_files; // its sources, handed out with the lab
     std::vector<std::string> scenes;     // worth rendering with it
-    // Files of common, by their place in the tree, that answer a task of this lab: left out of its
-    // release, or in part (markers.h, `withhold`).
-    std::vector<std::string> withhold;
+    std::vector<Withheld> withhold;
     std::vector<Task> tasks;
 
     std::filesystem::path path() const { return root / "labs" / folder; }

@@ -2,6 +2,7 @@
 
 #include "common/cli/files.h"
 #include "common/load/suggest.h"
+#include "grader/course/answers.h"
 #include "grader/course/contains.h"
 
 #include <fmt/format.h>
@@ -93,62 +94,49 @@ std::string student_readme(const LabSheet& sheet) {
                        sheet.number, sheet.title, sheet.folder, sheet.folder, commands);
 }
 
-// The lines of the solution that are not in the stub beside it.
-void collect(std::set<std::string>& lines, const Region& region) {
-    std::set<std::string> said;
-    for (const std::string& line : region.stub) said.insert(squeezed(line));
-    for (const std::string& line : region.solution)
-        if (const std::string code = squeezed(line); !code.empty() && !said.contains(code))
-            lines.insert(code);
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 // A file of common as students of the lab get it; `stays`: it is not handed out.
 struct Given {
     std::string text;
     bool stays = false;
 };
 
-// What this lab and all later labs withhold.
-struct Withheld {
+// This lab and all later ones: what they withhold, and the lines of their solutions.
+struct NotToSee {
     std::vector<std::string> files, numbers; // the labs' numbers
+    std::set<std::string> lines;             // squeezed
 };
 
-Withheld withheld_from(const LabSheet& sheet) {
-    Withheld withheld;
+NotToSee not_to_see(const LabSheet& sheet) {
+    NotToSee hidden;
     for (const std::string& folder : lab_folders(sheet.root)) {
         const LabSheet lab = read_lab_sheet(sheet.root, folder);
         if (lab.number < sheet.number) continue;
-        withheld.numbers.push_back(lab.number);
-        for (const std::string& file : lab.withhold) {
+        hidden.numbers.push_back(lab.number);
+        for (const auto& [line, tasks] : solution_lines(read_lab_sources(lab)))
+            hidden.lines.insert(line);
+        for (const auto& [file, answers] : lab.withhold) {
             if (!fs::is_regular_file(sheet.root / file))
                 throw CourseError(
                     fmt::format("labs/{}/lab.json: \"withhold\" names {}, which is not "
                                 "there: correct the name",
                                 folder, file));
-            withheld.files.push_back(file);
+            hidden.files.push_back(file);
         }
     }
-    return withheld;
+    return hidden;
 }
 
-Given without_answers(const LabSheet& sheet, const Withheld& withheld, const std::string& file,
+Given without_answers(const LabSheet& sheet, const NotToSee& hidden, const std::string& file,
                       std::set<std::string>& lines) {
     const MarkedSource source = parse_markers(read_file((sheet.root / file).string()), file);
-    const bool listed = contains(withheld.files, file);
+    const bool listed = contains(hidden.files, file);
     bool has_region = false;
     for (const Region* region : source.regions()) {
         if (region->kind != Region::Kind::withhold)
             throw CourseError(fmt::format("{}:{}: only a lab has tasks", file, region->line));
-        if (!contains(withheld.numbers, region->id)) continue;
+        if (!contains(hidden.numbers, region->id)) continue;
         has_region = true;
-        collect(lines, *region);
+        for (const std::string& line : telling_lines(*region)) lines.insert(line);
         if (!listed)
             throw CourseError(fmt::format("{}:{}: lab.json of {} does not list this file under "
                                           "\"withhold\": add it there",
@@ -156,7 +144,7 @@ Given without_answers(const LabSheet& sheet, const Withheld& withheld, const std
     }
     if (listed && !has_region) return {"", true};
     return {
-        student_source(source, [&](const Region& r) { return contains(withheld.numbers, r.id); })};
+        student_source(source, [&](const Region& r) { return contains(hidden.numbers, r.id); })};
 }
 
 } // namespace
@@ -170,18 +158,21 @@ std::string squeezed(const std::string& line) {
     constexpr std::size_t shortest = 28;
     std::string code = line.substr(0, line.find("//"));
     std::erase_if(code, [](unsigned char c) { return std::isspace(c); });
-    return code.size() < shortest || std::regex_match(code, plain) ? "" : code;
+    if (code.size() < shortest) return "";
+    const bool may_be_plain = code.starts_with("const") || code.starts_with("for(");
+    return may_be_plain && std::regex_match(code, plain) ? "" : code;
 }
 
 ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
     const LabSheet& sheet = lab.sheet;
     ReleasedTree tree;
-    const Withheld withheld = withheld_from(sheet);
+    const NotToSee hidden = not_to_see(sheet);
+    tree.solution_lines = hidden.lines;
     for (const fs::path& file : given_files(sheet.root)) {
         const std::string ending = file.extension().string();
         Given out;
         if (ending == ".h" || ending == ".cpp" || ending == ".cu")
-            out = without_answers(sheet, withheld, file.string(), tree.solution_lines);
+            out = without_answers(sheet, hidden, file.string(), tree.solution_lines);
         else
             out.text = read_file((sheet.root / file).string());
         if (out.stays) continue;
@@ -192,31 +183,45 @@ ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
         fs::permissions(target / file, fs::status(sheet.root / file).permissions());
         ++tree.files;
     }
-    for (const MarkedSource& source : lab.files)
-        for (const Region* region : source.regions()) collect(tree.solution_lines, *region);
     const std::vector<std::string> ids = sheet.task_ids();
     write_lab(lab, {ids.begin(), ids.end()}, target);
     write_file((target / "README.md").string(), student_readme(sheet));
     return tree;
 }
 
-std::vector<std::string> leaks(const fs::path& tree, const std::set<std::string>& solution_lines) {
-    std::vector<std::string> found;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree)) {
+std::vector<std::string> telling_lines(const Region& region) {
+    std::set<std::string> said;
+    for (const std::string& line : region.stub) said.insert(squeezed(line));
+    std::vector<std::string> lines;
+    for (const std::string& line : region.solution)
+        if (const std::string code = squeezed(line); !code.empty() && !said.contains(code))
+            lines.push_back(code);
+    return lines;
+}
+
+void for_each_line(
+    const fs::path& folder,
+    const std::function<void(const std::string&, int, const std::string&)>& with_line) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
         const std::string ending = entry.path().extension().string();
         const bool text = ending == ".h" || ending == ".cpp" || ending == ".cu" ||
                           ending == ".md" || ending == ".json" || ending == ".in";
         if (!entry.is_regular_file() || !text) continue;
+        const std::string file = entry.path().lexically_relative(folder).string();
+        std::istringstream stream(read_file(entry.path().string()));
         int number = 0;
-        for (const std::string& line : lines_of(read_file(entry.path().string()))) {
-            ++number;
-            const std::string code = squeezed(line);
-            if (!code.empty() && solution_lines.contains(code))
-                found.push_back(fmt::format("{}:{}: {}",
-                                            entry.path().lexically_relative(tree).string(), number,
-                                            line.substr(line.find_first_not_of(' '))));
-        }
+        for (std::string line; std::getline(stream, line);) with_line(file, ++number, line);
     }
+}
+
+std::vector<std::string> leaks(const fs::path& tree, const std::set<std::string>& solution_lines) {
+    std::vector<std::string> found;
+    for_each_line(tree, [&](const std::string& file, int number, const std::string& line) {
+        const std::string code = squeezed(line);
+        if (!code.empty() && solution_lines.contains(code))
+            found.push_back(
+                fmt::format("{}:{}: {}", file, number, line.substr(line.find_first_not_of(' '))));
+    });
     return found;
 }
 

@@ -12,7 +12,8 @@
 namespace raylab {
 
 struct ReleasedTree {
-    std::set<std::string> solution_lines; // of the lab's tasks and of what was withheld, squeezed
+    // Squeezed: of the tasks of this lab and of all later ones, and of what was withheld.
+    std::set<std::string> solution_lines;
     int files = 0;
 };
 
@@ -23,6 +24,15 @@ ReleasedTree write_student_tree(const LabSources& lab, const std::filesystem::pa
 // A line of code without its comment and all white space; "" if it is too short to give anything
 // away, or only names a field or the result of a call.
 std::string squeezed(const std::string& line);
+
+// The lines of a region's solution that give something away, squeezed: those not in its stub.
+std::vector<std::string> telling_lines(const Region& region);
+
+// Calls back with each line of the text files below a folder: the file relative to it, the line's
+// number from 1, and the line.
+void for_each_line(
+    const std::filesystem::path& folder,
+    const std::function<void(const std::string&, int, const std::string&)>& with_line);
 
 // "file:line: the solution's line" for each line of a solution in a file of the tree.
 std::vector<std::string> leaks(const std::filesystem::path& tree,

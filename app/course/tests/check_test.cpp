@@ -112,7 +112,11 @@ TEST(Release, OneTreeALab) {
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
     // The full test builds, checks and runs each tree, which takes minutes.
     const std::string how = std::getenv("RAYLAB_LONG") ? "" : " --no-build";
-    expect("release --labs 01,02 -o " + folder + how, 0, {"01_recursive", "none of "});
+    expect("release --labs 01,02 -o " + folder + how, 2,
+           {"1.1   7 of  7 lines", "common/camera/camera.h", "--give-away"});
+    EXPECT_TRUE(fs::is_empty(folder));
+    expect("release --labs 01,02 --give-away -o " + folder + how, 0,
+           {"01_recursive", "none of ", "answers of their tasks"});
     EXPECT_TRUE(fs::exists(folder + "/01_recursive/raylab"));
     EXPECT_TRUE(fs::exists(folder + "/02_iterative/labs/02_iterative/path.h"));
     EXPECT_FALSE(fs::exists(folder + "/02_iterative/labs/01_recursive"));

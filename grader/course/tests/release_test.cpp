@@ -1,5 +1,6 @@
 // What students get has no line of a solution, wherever it might stand; variations do apply.
 #include "common/cli/files.h"
+#include "grader/course/answers.h"
 #include "grader/course/release.h"
 #include "grader/course/tests/temporary_tree.h"
 #include "grader/course/variation.h"
@@ -28,10 +29,31 @@ class Release : public TemporaryTree {
         write(".vscode/tasks.json",
               R"({"tasks": [{"label": "check lab"}, {"label": "test"}],
                   "inputs": [{"id": "lab", "options": ["07", "08"], "default": "08"}]})");
-        write_sheet(R"("withhold": ["common/whole.h", "common/part.h"],)");
+        write_sheet(R"("withhold": {"common/whole.h": ["7.1"], "common/part.h": ["7.2"]},)");
     }
     void write_sheet(const std::string& withhold) {
         write_changed("labs/07_tiny/lab.json", sheet, "\"tasks\":", withhold + "\"tasks\":");
+    }
+    // A lab like 07, whose task 2 is answered by common/kernel.cu.
+    void write_other(const std::string& number) const {
+        const std::string first = std::to_string(std::stoi(number)) + ".";
+        std::string text = sheet, code =
+                                      "//[ task 7.1\nint other = an_idea * of_another_lab;\n//]\n"
+                                      "//[ task 7.2\nint two;\n//]\n";
+        const auto replace = [](std::string& in, const std::string& from, const std::string& to) {
+            for (std::size_t at = 0; (at = in.find(from, at)) != in.npos; at += to.size())
+                in.replace(at, from.size(), to);
+        };
+        replace(text, "07_tiny", number + "_other");
+        replace(text, "\"07\"", "\"" + number + "\"");
+        replace(text, "\"7.", "\"" + first);
+        replace(code, "task 7.", "task " + first);
+        text.insert(text.find("\"tasks\":"),
+                    "\"withhold\": {\"common/kernel.cu\": [\"" + first + "2\"]},");
+        write("labs/" + number + "_other/lab.json", text);
+        write("labs/" + number + "_other/a.cpp", code);
+        write("labs/" + number + "_other/README.md", "# Other\n\n## One\n\n## Two\n");
+        write("labs/" + number + "_other/tests/a_test.cpp", "// public\n");
     }
     ReleasedTree release() const {
         return write_student_tree(read_lab_sources(read_lab_sheet(root, "07_tiny")), root / "out");
@@ -75,31 +97,42 @@ TEST_F(Release, ALineOfASolutionIsFoundWhereverItStandsAndHoweverItIsSpaced) {
 // Students of lab 07 will write lab 08 later; students of lab 09 have written it already.
 TEST_F(Release, WhatALaterLabWithholdsStaysBehindToo) {
     write("common/kernel.cu", "__global__ void the_answer_of_another_lab();\n");
-    const auto other = [&](const std::string& number) {
-        std::string text = sheet;
-        for (std::size_t at; (at = text.find("07_tiny")) != text.npos;)
-            text.replace(at, 7, number + "_other");
-        for (std::size_t at; (at = text.find("\"07\"")) != text.npos;)
-            text.replace(at, 4, "\"" + number + "\"");
-        for (std::size_t at; (at = text.find("\"7.")) != text.npos;)
-            text.replace(at, 3, "\"" + std::to_string(std::stoi(number)) + ".");
-        text.insert(text.find("\"tasks\":"), R"("withhold": ["common/kernel.cu"],)");
-        write("labs/" + number + "_other/lab.json", text);
-        write("labs/" + number + "_other/a.cpp", source);
-        write("labs/" + number + "_other/tests/a_test.cpp", "// public\n");
-    };
-    other("06");
+    write_other("06");
     release();
     EXPECT_TRUE(has("common/kernel.cu"));
     std::filesystem::remove_all(root / "out");
-    other("08");
+    write_other("08");
     release();
     EXPECT_FALSE(has("common/kernel.cu"));
     EXPECT_TRUE(has("common/given.h"));
 }
 
+TEST_F(Release, ALineOfALaterLabsSolutionIsALeakAndOfAnEarlierOneIsTold) {
+    write("common/kernel.cu", "__global__ void the_answer_of_another_lab();\n");
+    write("common/given.h", "int other = an_idea * of_another_lab;\n");
+    write_other("06");
+    EXPECT_TRUE(leaks(root / "out", release().solution_lines).empty());
+    const std::vector<Answer> answers =
+        earlier_answers(read_lab_sheet(root, "07_tiny"), root / "out");
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[0].task, "6.1");
+    EXPECT_EQ(answers[0].lines, 1);
+    EXPECT_EQ(answers[0].of_lines, 1);
+    EXPECT_EQ(answers[0].files, std::set<std::string>{"common/given.h"});
+    EXPECT_EQ(answers[1].task, "6.2");
+    EXPECT_EQ(answers[1].files, std::set<std::string>{"common/kernel.cu"});
+    EXPECT_NE(to_text(answers).find("6.1   1 of  1 lines"), std::string::npos);
+
+    std::filesystem::remove_all(root / "out");
+    std::filesystem::remove_all(root / "labs/06_other");
+    write_other("08");
+    EXPECT_EQ(leaks(root / "out", release().solution_lines),
+              std::vector<std::string>{"common/given.h:1: int other = an_idea * of_another_lab;"});
+    EXPECT_TRUE(earlier_answers(read_lab_sheet(root, "07_tiny"), root / "out").empty());
+}
+
 TEST_F(Release, WithheldFilesAndTheListAgree) {
-    write_sheet(R"("withhold": ["common/whole.h"],)");
+    write_sheet(R"("withhold": {"common/whole.h": ["7.1"]},)");
     try {
         release();
         ADD_FAILURE() << "a region that the sheet does not list was accepted";
@@ -107,8 +140,10 @@ TEST_F(Release, WithheldFilesAndTheListAgree) {
         EXPECT_NE(std::string(error.what()).find("common/part.h:1: "), std::string::npos)
             << error.what();
     }
-    write_sheet(R"("withhold": ["common/part.h", "common/none.h"],)");
+    write_sheet(R"("withhold": {"common/part.h": ["7.1"], "common/none.h": ["7.1"]},)");
     EXPECT_THROW(release(), CourseError);
+    write_sheet(R"("withhold": {"common/part.h": ["7.9"]},)");
+    EXPECT_THROW(release(), CourseError); // no such task
 }
 
 TEST_F(Release, AVariationChangesExactlyOnePlace) {
