@@ -1,0 +1,32 @@
+// What a program prints, cut in the middle: its head and its tail.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace raylab::sandbox {
+
+class Capture {
+  public:
+    void add(std::string_view bytes) {
+        total_ += bytes.size();
+        const std::size_t room = std::min(bytes.size(), kept - head_.size());
+        head_ += bytes.substr(0, room);
+        tail_ += bytes.substr(room);
+        if (tail_.size() > 2 * kept) tail_.erase(0, tail_.size() - kept);
+    }
+    std::uint64_t total() const { return total_; }
+    std::string text() const {
+        if (tail_.size() <= kept) return head_ + tail_;
+        return head_ + "\n[... cut here ...]\n" + tail_.substr(tail_.size() - kept);
+    }
+
+  private:
+    static constexpr std::size_t kept = 32 << 10;
+    std::string head_, tail_;
+    std::uint64_t total_ = 0;
+};
+
+} // namespace raylab::sandbox
