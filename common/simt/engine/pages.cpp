@@ -9,7 +9,7 @@ namespace raylab::simt {
 
 namespace {
 
-constexpr size_t gap = size_t(64) << 10; // bytes, a multiple of the page's size
+constexpr size_t apart = size_t(64) << 10; // bytes, a multiple of the page's size
 constexpr size_t most = 8'000;           // at a time; Linux lets a process have 65,530 mappings
 
 struct Mapping {
@@ -34,10 +34,10 @@ void* take_pages(size_t bytes, size_t alignment) {
     std::lock_guard lock(mutex);
     if (mappings().size() >= most) return nullptr;
     const size_t used = round_up(bytes, alignment);
-    const size_t pages = round_up(used, size_t(sysconf(_SC_PAGESIZE))), all = pages + 2 * gap;
+    const size_t pages = round_up(used, size_t(sysconf(_SC_PAGESIZE))), all = pages + 2 * apart;
     void* base = mmap(nullptr, all, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (base == MAP_FAILED) return nullptr;
-    char* first = static_cast<char*>(base) + gap;
+    char* first = static_cast<char*>(base) + apart;
     if (mprotect(first, pages, PROT_READ | PROT_WRITE) != 0) {
         munmap(base, all);
         return nullptr;
@@ -53,7 +53,7 @@ bool give_back_pages(void* pointer) {
     const auto found = mappings().find(pointer);
     if (found == mappings().end()) return false;
     munmap(found->second.base, found->second.bytes);
-    mapped -= found->second.bytes - 2 * gap;
+    mapped -= found->second.bytes - 2 * apart;
     mappings().erase(found);
     return true;
 }
