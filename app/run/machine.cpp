@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fcntl.h>
 #include <sstream>
 #include <sys/file.h>
@@ -69,6 +70,14 @@ std::string cached(const fs::path& cache, const std::string& name) {
     return {};
 }
 
+// Of a mode, for the compiler that CMake takes: the one that the environment's CXX names, or the
+// usual one. A folder keeps the compiler that it was configured with.
+fs::path folder_of(const Tree& tree, const Mode& mode) {
+    const char* compiler = std::getenv("CXX");
+    const std::string name = compiler ? fs::path(compiler).filename().string() : "";
+    return tree.root / "build" / (mode.build() + (name.empty() ? "" : "-" + name));
+}
+
 } // namespace
 
 const Mode& mode_named(const std::string& name) {
@@ -93,7 +102,7 @@ const Mode& mode_named(const std::string& name) {
 }
 
 Machine build_machine(const Tree& tree, const Mode& mode) {
-    const fs::path folder = tree.root / "build" / mode.build();
+    const fs::path folder = folder_of(tree, mode);
     fs::create_directories(folder.parent_path());
     const Lock lock(folder.string() + ".lock");
     const std::string which = "the CPU machine (" + mode.name + ")";

@@ -30,12 +30,7 @@ struct Allocation {
     Where where;
 };
 
-constexpr size_t alignment = 256; // of cudaMalloc()
-#if defined(RAYLAB_CHECK_THREAD)
-constexpr size_t gap = alignment; // so that the end of one allocation is not the next one
-#else
-constexpr size_t gap = 0; // AddressSanitizer makes its own
-#endif
+constexpr size_t alignment = 256;     // of cudaMalloc()
 constexpr size_t most_freed = 10'000; // allocations that are remembered after their end
 
 size_t physical_bytes() {
@@ -72,7 +67,10 @@ void* take_memory(size_t bytes, [[maybe_unused]] const Where& where) {
 #else
     if (!check_build)
         if (void* pointer = take_pages(bytes, alignment)) return pointer;
-    return ::operator new(bytes + gap, std::align_val_t(alignment), std::nothrow);
+#if defined(RAYLAB_CHECK_THREAD)
+    bytes += alignment; // so that the end of one allocation is not the next one
+#endif
+    return ::operator new(bytes, std::align_val_t(alignment), std::nothrow);
 #endif
 }
 void give_back(void* pointer, [[maybe_unused]] size_t bytes) {

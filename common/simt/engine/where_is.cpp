@@ -110,6 +110,15 @@ SourcePlace call_of(Dwarf_Die* unit, Dwarf_Die* inlined) {
             number(inlined, DW_AT_call_line), number(inlined, DW_AT_call_column)};
 }
 
+// The unit with the instruction, whose address in the file is address - bias. g++ writes a table of
+// the units' addresses; clang does not, and then each unit is asked.
+Dwarf_Die* unit_at(Dwfl_Module* module, Dwarf_Addr address, Dwarf_Addr& bias) {
+    if (Dwarf_Die* unit = dwfl_module_addrdie(module, address, &bias)) return unit;
+    for (Dwarf_Die* unit = nullptr; (unit = dwfl_module_nextcu(module, unit, &bias));)
+        if (dwarf_haspc(unit, address - bias) > 0) return unit;
+    return nullptr;
+}
+
 bool is_of_the_system(Dwfl_Module* module) {
     const char* file =
         dwfl_module_info(module, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
@@ -125,7 +134,7 @@ std::optional<SourcePlace> source_place(const void* pc) {
     Dwfl_Module* module = information.module(address);
     if (!module || is_of_the_system(module)) return {};
     Dwarf_Addr bias = 0;
-    Dwarf_Die* unit = dwfl_module_addrdie(module, address, &bias);
+    Dwarf_Die* unit = unit_at(module, address, bias);
     if (!unit) return {};
     SourcePlace place = line_at(unit, address - bias);
     Dwarf_Die* scopes = nullptr;

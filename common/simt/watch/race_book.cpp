@@ -35,7 +35,8 @@ void RaceBook::stored(Race& race, uint64_t value) {
 }
 
 void RaceBook::note(const Race& race, uintptr_t address, unsigned bytes) {
-    const auto key = std::minmax(race.before.site, race.after.site);
+    // By value: minmax() gives references, and sites are fields of bits.
+    const std::pair<uint32_t, uint32_t> key = std::minmax(race.before.site, race.after.site);
     const auto [found, is_new] = races_.emplace(key, race);
     Race& known = found->second;
     if (is_new) order_.push_back(key);
