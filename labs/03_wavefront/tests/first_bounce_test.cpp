@@ -45,20 +45,42 @@ TEST(Task3_4, TheCacheChangesNoBitWhereCameraRaysStayTheSame) {
 }
 
 TEST(Task3_4, ItIsFilledOnceAndThenUsed) {
-    Hit memory[2];
+    Hit memory[3];
     int searches = 0;
     const auto search = [&] {
         ++searches;
         return Hit{static_cast<float>(searches), searches, Shape::sphere, 0};
     };
-    cached_hit({memory, false}, 0, 1, search);
+    const Hit first = cached_hit({memory, false}, 0, 1, search);
+    expect_equal("searches for a pixel's first camera ray", searches, 1,
+                 "the cache is not filled yet: search") &&
+        expect_equal("the shape it hit", first.id, 1, "what was found is returned") &&
+        expect_equal("the hit that is kept for pixel 1", memory[1].id, 1,
+                     "what is found is kept in cache.hits[pixel]");
+    cached_hit({memory, false}, 0, 2, search);
     const Hit again = cached_hit({memory, true}, 0, 1, search);
-    expect_equal("searches for the same camera ray in two iterations", searches, 1,
-                 "the second iteration takes cache.hits[pixel]");
-    expect_equal("the shape it hit", again.id, 1, "cache.hits[pixel] keeps the whole hit");
+    expect_equal("searches for camera rays of two pixels, one of them in a second iteration",
+                 searches, 2, "the second iteration takes cache.hits[pixel] and does not search") &&
+        expect_equal("the shape that the pixel's ray hits again", again.id, 1,
+                     "the hit of this pixel is kept, the whole of it: cache.hits[pixel]");
     cached_hit({memory, true}, 1, 1, search);
-    expect_equal("searches after one more ray of bounce 1", searches, 2,
+    expect_equal("searches after one more ray of bounce 1", searches, 3,
                  "only camera rays are the same each time");
+}
+
+TEST(Task3_4, WhatAnotherRenderLeftIsNotUsed) {
+    Hit memory[2];
+    memory[1] = {7, 7, Shape::sphere, 0}; // of another camera
+    const Hit found = cached_hit({memory, false}, 0, 1, [] { return Hit{1, 1, Shape::quad, 0}; });
+    expect_equal("the shape that a ray hits, where another camera's is kept", found.id, 1,
+                 "cache.filled alone tells whether what is kept is of this camera");
+    const Hit kept = cached_hit({memory, true}, 0, 1, [] { return Hit{2, 2, Shape::quad, 0}; });
+    expect_equal("and in the next iteration", kept.id, 1, "what was found is kept");
+    memory[0] = {};
+    int searches = 0;
+    cached_hit({memory, true}, 0, 0, [&] { return ++searches, Hit{}; });
+    expect_equal("searches for a ray that is known to hit nothing", searches, 0,
+                 "a miss is kept as well: cache.filled tells");
 }
 
 TEST(Task3_4, JitterAndLensesAreRefusedWithAReason) {
@@ -68,7 +90,12 @@ TEST(Task3_4, JitterAndLensesAreRefusedWithAReason) {
            "jittered camera rays differ each time, but the cache is not refused for it");
     expect(lens && lens->find("lens") != std::string::npos,
            "rays through a lens differ each time, but the cache is not refused for it");
-    EXPECT_THROW(render(ball(true), true), SettingsError);
+    try {
+        render(ball(true), true);
+        expect(false, "a render with jitter and a first-bounce cache is not refused; the likely "
+                      "cause: no_first_bounce_cache() returns no sentence");
+    } catch (const SettingsError&) {
+    }
 }
 
 // Why it is refused: with the middle of each pixel for all samples an edge stays jagged.
@@ -81,7 +108,13 @@ TEST(Task3_4, WithoutJitterEdgesStayJagged) {
         }
         return count;
     };
-    EXPECT_GT(between(render(ball(true), false)), between(render(ball(false), false)) + 4);
+    const int jittered = between(render(ball(true), false)),
+              middle = between(render(ball(false), false));
+    expect(jittered > middle + 4,
+           fmt::format("along the edge of a ball {} pixels are of its colour and the sky's, with "
+                       "jitter, and {} without; the likely cause: the cache is used where it was "
+                       "not asked for",
+                       jittered, middle));
 }
 
 } // namespace

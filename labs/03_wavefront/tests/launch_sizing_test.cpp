@@ -32,7 +32,7 @@ TEST(Task3_6, Corners) {
 TEST(Task3_6, TheScarcestResourceDecides) {
     const MultiprocessorLimits has = {2048, 32, 65536, 100 << 10};
     expect_equal("blocks of 256 threads by threads alone", blocks_that_fit(has, {256, 0, 0}), 8,
-                 "2048 / 256");
+                 "2048 / 256; needs of 0 are no limit");
     expect_equal("blocks of 32 threads", blocks_that_fit(has, {32, 0, 0}), 32,
                  "no more than the multiprocessor's 32 blocks");
     expect_equal("blocks of 256 threads of 64 registers", blocks_that_fit(has, {256, 64, 0}), 4,

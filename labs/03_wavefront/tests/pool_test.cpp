@@ -1,5 +1,6 @@
 // Task 3.1: the pool and its stages. Truth from closed forms and from the paths' own records; what
-// must not matter (pool, blocks, order of slots, compaction, sorting) must not change a bit.
+// must not matter (pool, blocks, order of slots, queues) must not change a bit. Compaction is task
+// 3.3 and stays off.
 #include "common/render/render.h"
 #include "common/scene/sphere_groups.h"
 #include "common/task/facts.h"
@@ -21,8 +22,9 @@ struct Traced {
     std::vector<PathRecord> records;
 };
 
-Traced trace(const Scene& scene, const WavefrontSettings& wavefront = {}, int iterations = 1,
+Traced trace(const Scene& scene, WavefrontSettings wavefront = {}, int iterations = 1,
              int block = 128) {
+    wavefront.compact_every = 0;
     const std::unique_ptr<Renderer> renderer =
         make_renderer(scene, {.threads = 1, .block_size = block, .wavefront = wavefront});
     for (int i = 0; i < iterations; ++i) renderer->add_iteration();
@@ -84,9 +86,8 @@ TEST(Task3_1, EveryPixelGetsOneSampleOfTheSky) {
                                       "not 2 samples of the sky (1, 2, 3)",
                                       width, height, pool, block),
                           wrong, 0,
-                          "generate_kernel() must start a path for each pixel of the fill, first "
-                          "+ shuffled(slot), and accumulate_path() add each once, also those that "
-                          "ended early"))
+                          "accumulate_path() adds each path once, also those that ended early, to "
+                          "the pixel that it belongs to, pool.pixel[slot]"))
             return;
     }
 }
@@ -143,6 +144,11 @@ TEST(Task3_1, ShadowRaysFindLightAndShadow) {
                 below(R"(, {"kind": "sphere", "center": [0, 0, 1.5], "radius": 0.2,
                           "material": "floor"})"),
                 0, 0, "shadow_path() must ask occluded()");
+    expect_near("the same with a wall behind the light",
+                below(R"(, {"kind": "plane", "point": [0, 0, 3], "normal": [0, 0, -1],
+                          "material": "floor"})"),
+                1 / 3.14159265, 1e-5,
+                "what lies behind the light is not in its way: shadow_ray_of() has a t_max");
 }
 
 // A point light in the middle of a grey sphere: every surface gets g = (a / pi) I / r^2 from it,
@@ -172,6 +178,25 @@ TEST(Task3_1, EveryBounceFindsTheLampWeightedByItsThroughput) {
     }
 }
 
+// The same with Russian roulette, which must not change the mean. A path that ends still sends the
+// shadow ray of its last surface, and each bounce has random numbers of its own.
+TEST(Task3_1, RouletteChangesNoMean) {
+    const Scene scene = small_scene(
+        {.materials = R"("wall": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
+         .shapes = R"({"kind": "sphere", "center": [0, 0, 0], "radius": 6, "material": "wall"})",
+         .lights = fmt::format(
+             R"({{"kind": "point", "position": [0, 0, 0], "intensity": [{0}, {0}, {0}]}})",
+             36 * 3.14159265358979),
+         .render = R"("max_depth": 30, "spp": 1)",
+         .width = 64,
+         .height = 64});
+    Samples samples;
+    for (const FilmPixel& pixel : trace(scene).film.pixels) samples.add(pixel.sum[1]);
+    expect_near("mean radiance around a point light in a grey sphere, with roulette",
+                samples.mean(), 1, Samples::allowed * samples.error(),
+                "a path that roulette ends must still return its shadow ray");
+}
+
 // The paths themselves, counted from their records: the ledger must agree.
 TEST(Task3_1, TheLedgerCountsEveryPathOnce) {
     const Traced traced = trace(room(), {.pool = 200});
@@ -195,14 +220,13 @@ TEST(Task3_1, TheLedgerCountsEveryPathOnce) {
 TEST(Task3_1, NothingAboutThePoolChangesABit) {
     for (const char* integrator : {"path", "whitted"}) {
         const Scene scene = room(integrator);
-        const Traced plain = trace(scene, {.compact_every = 0}, 2);
+        const Traced plain = trace(scene, {}, 2);
         const auto dark = std::count_if(plain.film.pixels.begin(), plain.film.pixels.end(),
                                         [](const FilmPixel& p) { return p.sum[0] == 0; });
         if (!expect(dark < 33 * 21 / 2, "most of the image is black")) return;
         for (const WavefrontSettings& w :
-             {WavefrontSettings{.compact_every = 0, .pool = 1},
-              WavefrontSettings{.compact_every = 0, .pool = 97, .shuffle = 3},
-              WavefrontSettings{.compact_every = 0, .sort = MaterialSort::queues, .pool = 300}})
+             {WavefrontSettings{.pool = 1}, WavefrontSettings{.pool = 97, .shuffle = 3},
+              WavefrontSettings{.sort = MaterialSort::queues, .pool = 300}})
             for (const int block : {32, 224, 1024})
                 if (!expect(same_bits(trace(scene, w, 2, block).film, plain.film),
                             fmt::format("{}: the image changes with a pool of {}, shuffle {}, "

@@ -5,6 +5,7 @@
 #include "common/task/facts.h"
 #include "labs/03_wavefront/scan.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace raylab::lab03 {
@@ -23,13 +24,46 @@ std::vector<std::uint32_t> numbers(std::int64_t n) {
     return values;
 }
 
+constexpr std::uint32_t unwritten = 0xdeadbeef;
+constexpr int behind = 2048; // so many numbers behind the end are watched
+
+// Fails the test if the scan writes where it must not.
 std::vector<std::uint32_t> scanned(ScanKind kind, const std::vector<std::uint32_t>& values) {
     const std::int64_t n = static_cast<std::int64_t>(values.size());
     const DeviceArray<std::uint32_t> in(values);
-    DeviceArray<std::uint32_t> out(values.size()), workspace(scan_workspace(kind, n));
+    DeviceArray<std::uint32_t> out(std::vector<std::uint32_t>(values.size() + behind, unwritten)),
+        workspace(scan_workspace(kind, n) + behind);
     scan_function(kind)(in.data(), out.data(), n, workspace.data());
     expect(in.to_host() == values, "the scan changed its input");
-    return out.to_host();
+    std::vector<std::uint32_t> result = out.to_host();
+    expect(std::count(result.begin() + n, result.end(), unwritten) == behind,
+           fmt::format("scan_{} of {} numbers writes behind the end of `out`; the likely cause: "
+                       "threads from n on must write nothing",
+                       names[static_cast<int>(kind)], n));
+    result.resize(values.size());
+    return result;
+}
+
+// Of a scan whose first wrong sum is out[i].
+const char* likely_cause(ScanKind kind, std::int64_t i) {
+    if (kind == ScanKind::naive)
+        return "a round must read `from` only, which no thread writes, and write each element of "
+               "`to`, in either case";
+    if (kind == ScanKind::warp)
+        return "in each of the rounds 1, 2, 4, 8, 16 all lanes shuffle, and a lane adds what it "
+               "got if its place in its warp, threadIdx.x % 32, is `distance` or more";
+    if (kind == ScanKind::lookback)
+        return "look_back() must add the sums of all tiles before this one, each once: wait for "
+               "words that say nothing yet, add up to the nearest complete one, and go on with the "
+               "next 32 tiles if there is none";
+    if (kind != ScanKind::efficient) return "this scan is given";
+    return i == 0     ? "the scan is exclusive: nothing comes before the first number, so one "
+                        "thread clears the root of the tree, with a barrier before and behind"
+           : i < 1024 ? "a barrier is missing: one stands before each level, up and down, before "
+                        "the root and before the end; or a level, or what a node hands to its left"
+                      : "the sums of the tiles before: each block writes its root to "
+                        "sums[blockIdx.x], before it is cleared, also the last one, some of whose "
+                        "threads have no numbers and must not return early";
 }
 
 bool expect_right(ScanKind kind, std::int64_t n) {
@@ -37,18 +71,13 @@ bool expect_right(ScanKind kind, std::int64_t n) {
     std::vector<std::uint32_t> expected(values.size());
     std::exclusive_scan(values.begin(), values.end(), expected.begin(), std::uint32_t{0});
     const std::vector<std::uint32_t> result = scanned(kind, values);
+    if (testing::Test::HasFailure()) return false;
     const auto [wrong, right] = std::mismatch(result.begin(), result.end(), expected.begin());
     if (wrong == result.end()) return true;
     const auto i = wrong - result.begin();
     return expect_equal(
         fmt::format("scan_{} of {} numbers: out[{}]", names[static_cast<int>(kind)], n, i), *wrong,
-        *right,
-        i == 0      ? "the scan is exclusive: nothing comes before the first"
-        : i < 32    ? "a round or a level is missing"
-        : i < 1024  ? "a barrier is missing, or the sums of the warps or of the "
-                      "tree's halves"
-        : i < 65536 ? "the sums of the tiles before"
-                    : "the sums of the tiles are many tiles themselves");
+        *right, likely_cause(kind, i));
 }
 
 void expect_right_at_any_length(ScanKind kind) {

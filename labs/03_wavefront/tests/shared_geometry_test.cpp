@@ -42,10 +42,20 @@ TEST(Task3_5, ShapesAreCopiedToTheBlocksOwnMemory) {
     const Scene scene = shapes(40);
     for (const int block : {32, 224}) {
         const SharedShapes found = look_at_shared_shapes(scene, block);
-        expect_equal("shapes lie in shared memory (1: yes)", found.inside, 1,
-                     "move_to_shared() points the arrays of the returned scene there");
-        expect_equal("and are the scene's (1: yes)", found.same, 1,
-                     "each array begins where the one before ends, rounded up to 16 bytes");
+        for (int k = 0; k < shape_arrays; ++k)
+            if (!expect_equal(fmt::format("{} lie in shared memory (1: yes)", shape_array_names[k]),
+                              found.inside[k], 1,
+                              fmt::format("move_to_shared() is not called for scene.{}, or not by "
+                                          "each block",
+                                          shape_array_names[k])))
+                return;
+        for (int k = 0; k < shape_arrays; ++k)
+            if (!expect_equal(fmt::format("the copy of {} is the scene's, byte by byte (1: yes)",
+                                          shape_array_names[k]),
+                              found.same[k], 1,
+                              "each array begins where the one before ends, and all threads of "
+                              "the block copy their share"))
+                return;
     }
 }
 
@@ -55,7 +65,8 @@ TEST(Task3_5, TheImageIsTheSameToTheBit) {
         const Film a = render(scene, false, block), b = render(scene, true, block);
         expect(same_bits(a, b),
                fmt::format("with geometry in shared memory, blocks of {}, the image is another; "
-                           "the likely cause: threads without a path must copy too",
+                           "the likely cause: threads without a path must copy too, and none may "
+                           "go on before the barrier behind the copy",
                            block));
     }
 }
@@ -63,9 +74,12 @@ TEST(Task3_5, TheImageIsTheSameToTheBit) {
 TEST(Task3_5, GeometryThatIsTooLargeIsRefusedWithTheFigures) {
     try {
         render(shapes(4000), true, 128);
-        FAIL() << "4000 spheres do not fit into 48 KiB";
+        expect(false, "4000 spheres do not fit into 48 KiB, and should be refused");
     } catch (const SettingsError& error) {
-        EXPECT_NE(std::string(error.what()).find("49152"), std::string::npos) << error.what();
+        expect(std::string(error.what()).find("49152") != std::string::npos,
+               fmt::format("that 4000 spheres are too many should be said with the limit, 49152 "
+                           "bytes, but the text is: {}",
+                           error.what()));
     }
 }
 

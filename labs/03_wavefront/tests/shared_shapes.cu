@@ -7,21 +7,34 @@ namespace raylab::lab03 {
 
 namespace {
 
-// One thread tells whether the shapes it was given lie where its block's shared memory is.
+template <class T>
+__device__ void compare(const Array<T>& copy, const Array<T>& original, const void* memory,
+                        std::size_t bytes, int& inside, int& same) {
+    const auto* first = static_cast<const unsigned char*>(memory);
+    const auto* begin = reinterpret_cast<const unsigned char*>(copy.data);
+    const std::size_t size = copy.size * sizeof(T);
+    inside = begin >= first && begin + size <= first + bytes;
+    same = copy.size == original.size;
+    for (std::size_t i = 0; same && inside && i < size; ++i)
+        same = begin[i] == reinterpret_cast<const unsigned char*>(original.data)[i];
+}
+
+// The last block's first thread tells what its shapes are.
 __global__ void where_shapes_lie(const SceneView* scene, SharedShapes* found) {
     __shared__ float4 memory[512];
     const SceneView shared = geometry_in_shared_memory<feature::all>(*scene, memory);
     __syncthreads();
-    if (threadIdx.x > 0) return;
-    const auto* first = reinterpret_cast<const unsigned char*>(memory);
-    const auto* spheres = reinterpret_cast<const unsigned char*>(shared.spheres.data);
-    const auto* triangles = reinterpret_cast<const unsigned char*>(shared.triangles.data);
-    found->inside = spheres >= first && spheres < first + sizeof memory && triangles >= first &&
-                    triangles < first + sizeof memory;
-    found->same = shared.spheres[2].center.x == scene->spheres[2].center.x &&
-                  shared.quads[0].v[2].y == scene->quads[0].v[2].y &&
-                  shared.planes[0].normal.y == scene->planes[0].normal.y &&
-                  shared.triangles[0].v[1].z == scene->triangles[0].v[1].z;
+    if (threadIdx.x > 0 || blockIdx.x + 1 < gridDim.x) return;
+    const auto look = [&](int k, const auto& copy, const auto& original) {
+        compare(copy, original, memory, sizeof memory, found->inside[k], found->same[k]);
+    };
+    look(0, shared.spheres, scene->spheres);
+    look(1, shared.sphere_groups, scene->sphere_groups);
+    look(2, shared.quads, scene->quads);
+    look(3, shared.quad_groups, scene->quad_groups);
+    look(4, shared.planes, scene->planes);
+    look(5, shared.triangles, scene->triangles);
+    look(6, shared.runs, scene->runs);
 }
 
 } // namespace
@@ -30,7 +43,7 @@ SharedShapes look_at_shared_shapes(const Scene& scene, int block) {
     const DeviceScene device(scene);
     const DeviceArray<SceneView> view(std::span(&device.view(), 1));
     DeviceArray<SharedShapes> found(1);
-    where_shapes_lie<<<1, block>>>(view.data(), found.data());
+    where_shapes_lie<<<2, block>>>(view.data(), found.data());
     check(cudaDeviceSynchronize(), "where_shapes_lie");
     return found.to_host().front();
 }

@@ -5,8 +5,14 @@
 
 namespace raylab::lab03 {
 
+// The arrays of shapes, in the order of SceneView.
+constexpr int shape_arrays = 7;
+constexpr const char* shape_array_names[shape_arrays] = {
+    "spheres", "sphere_groups", "quads", "quad_groups", "planes", "triangles", "runs"};
+
+// 1 for each array that lies in shared memory, and whose bytes are the scene's.
 struct SharedShapes {
-    int inside, same; // 1: all shapes lie in shared memory; they are the scene's
+    int inside[shape_arrays], same[shape_arrays];
 };
 
 // The scene has at least 3 spheres, a quad, a plane and a triangle, and fits into 8 KiB.
