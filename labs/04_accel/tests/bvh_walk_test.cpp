@@ -27,6 +27,21 @@ void find_everything(BoxWalk walk, const std::string& when_endless, const std::s
                  "a tree without nodes, or a root with one leaf");
 }
 
+// Among two leaves on each axis, in both directions.
+void keep_to_good_habits(BoxWalk kind, bool near_first, const std::string& when_endless) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool down : {false, true}) {
+            const TwoCrowds crowds(axis, down);
+            const BvhCase scene(crowds.triangles);
+            const std::string wrong = WalkHabits{name(kind), near_first, when_endless}.wrong(
+                scene.packs(kind), crowds, scene,
+                [&](const BvhCase& tree, Notes& notes) { tree.walk(kind, notes); });
+            if (!expect(wrong.empty(),
+                        fmt::format("along {} {}: {}", down ? "-" : "+", char('x' + axis), wrong)))
+                return;
+        }
+}
+
 // What a ray visits, on average.
 struct Visits {
     double nodes = 0, packs = 0;
@@ -82,21 +97,16 @@ TEST(Task4_7, EachLinkLeadsPastWhatIsBelow) {
     }
 }
 
-TEST(Task4_7, RaysFindWhatBruteForceFinds) {
-    find_everything(BoxWalk::skip, "a link that leads back, or a walk that stays at a leaf",
-                    "a leaf on the way is passed over: on a miss go to node.skip, else to the next "
-                    "in the line");
+TEST(Task4_7, ItVisitsTheLeavesThatARayComesTo) {
+    keep_to_good_habits(BoxWalk::skip, false,
+                        "a link that leads back, or a walk that stays at a leaf");
 }
 
-TEST(Task4_7, AMissSkipsWhatIsBelow) {
-    const BvhCase scene(hills(100));
-    const Visits stack = visits(scene, BoxWalk::stack), skip = visits(scene, BoxWalk::skip);
-    expect(
-        skip.nodes <= 6 * stack.nodes,
-        fmt::format("a ray visits {:.1f} nodes by skip links of the {} there are, and {:.1f} "
-                    "with a stack, where one is a pair; the likely cause: links lead to the next "
-                    "node",
-                    skip.nodes, scene.line.size(), stack.nodes));
+TEST(Task4_7, RaysFindWhatBruteForceFinds) {
+    find_everything(
+        BoxWalk::skip, "a link that leads back, or a walk that stays at a leaf",
+        "a leaf on the way is passed over: on a miss go to node.skip, which is the next "
+        "node of the walk, else to the next in the line");
 }
 
 TEST(Task4_7, NothingBehindAHitIsLookedAt) {
@@ -110,13 +120,32 @@ TEST(Task4_7, NothingBehindAHitIsLookedAt) {
                        skip.packs, stack.packs));
 }
 
+TEST(Task4_7, AMissSkipsWhatIsBelow) {
+    const BvhCase scene(hills(100));
+    const Visits stack = visits(scene, BoxWalk::stack), skip = visits(scene, BoxWalk::skip);
+    expect(
+        skip.nodes <= 6 * stack.nodes,
+        fmt::format("a ray visits {:.1f} nodes by skip links of the {} there are, and {:.1f} "
+                    "with a stack, where one is a pair; the likely cause: links lead to the next "
+                    "node",
+                    skip.nodes, scene.line.size(), stack.nodes));
+}
+
+TEST(Task4_8, ItVisitsTheLeavesThatARayComesTo) {
+    keep_to_good_habits(BoxWalk::parent, true,
+                        "the walk comes back from a leaf as from any child, and back from the far "
+                        "child it goes up");
+}
+
 TEST(Task4_8, RaysFindWhatBruteForceFinds) {
     find_everything(BoxWalk::parent,
                     "coming back from the far child the walk must go up, not down again",
-                    "a child is passed over: back from the near child, look at the far one");
+                    "a child is passed over: a walk that goes down comes from above, to the near "
+                    "child, and back from the near child, or where that is missed, it looks at the "
+                    "far one");
 }
 
-TEST(Task4_8, TheNearChildComesFirst) {
+TEST(Task4_8, ARayVisitsAsManyPacksAsWithAStack) {
     const BvhCase scene(hills(100));
     const Visits stack = visits(scene, BoxWalk::stack), parents = visits(scene, BoxWalk::parent);
     expect(parents.nodes <= 3 * stack.nodes,

@@ -195,7 +195,8 @@ struct Answer {
     float t = infinity;
     int id = -1;
     bool any = false;
-    WalkCounts closest; // of the walk for the closest hit
+    WalkCounts closest; // of the walk for the closest hit,
+    WalkCounts shadow;  // and of that for any hit
     bool endless = false;
 };
 
@@ -219,6 +220,121 @@ inline std::vector<Answer> brute_force(const std::vector<Triangle>& triangles,
     return answers;
 }
 
+// Two crowds of eight triangles, one behind the other, and a ray through both.
+struct TwoCrowds {
+    static constexpr float near = 0, far = 10; // where they lie along the ray
+
+    // axis: of the ray; down: it goes down that axis.
+    TwoCrowds(int axis, bool down) : ray(Vec3(0), Vec3(0)) {
+        ray.o[axis] = down ? 12.15f : -2.0f; // 2 before the first triangle
+        ray.d[axis] = down ? -1.0f : 1.0f;
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (int i = 0; i < 16; ++i) {
+            Vec3 corner[3];
+            for (int k = 0; k < 3; ++k) {
+                corner[k][axis] = (i < 8 ? near : far) + 0.01f * float(i);
+                corner[k][u] = k == 0 ? -1.0f : 1.0f;
+                corner[k][v] = k == 2 ? 1.5f : -1.0f;
+            }
+            add(triangles, corner[0], corner[1], corner[2]);
+        }
+        first = down ? 8 : 0; // of the crowd that the ray comes to first
+    }
+
+    std::vector<Triangle> triangles;
+    Ray ray;
+    int first;
+};
+
+// A query that notes what a walk visits.
+class Notes : public Query {
+  public:
+    static constexpr bool reach_shrinks = true;
+
+    Notes(const std::vector<TrianglePack>& packs, const Ray& ray) : Query(ray), packs_(packs) {}
+
+    int first(int axis) const { return slab.negative[axis]; }
+    float reach() const { return visits.empty() ? infinity : reach_behind_first; }
+    void ask_for(int) const {}
+    int packs() const { return int(packs_.size()); }
+    bool visit(int pack) {
+        visits.push_back(packs_[pack].index[0]);
+        return end_at_first;
+    }
+
+    // The lowest index in a pack tells which crowd it is of.
+    int visits_of_crowd(int first_index) const {
+        int n = 0;
+        for (const int index : visits) n += index / 8 == first_index / 8;
+        return n;
+    }
+
+    std::vector<int> visits;             // the first triangle of each pack, in order
+    float reach_behind_first = infinity; // reach() once a pack was visited
+    bool end_at_first = false;           // what a visit says
+
+  private:
+    const std::vector<TrianglePack>& packs_;
+};
+
+// What a walk does among two crowds that it must do: a sentence on what is wrong, or "".
+// walk(crowds, notes) is the walk over a structure of their triangles.
+struct WalkHabits {
+    std::string walk; // its name
+    bool near_first = true;
+    std::string when_endless = "it must get on from each leaf and never come to it again";
+
+    template <class Case, class Walk>
+    std::string wrong(const std::vector<TrianglePack>& packs, const TwoCrowds& crowds,
+                      const Case& scene, const Walk& go) const {
+        const int first = crowds.first, second = 8 - first;
+        Notes all(packs, crowds.ray);
+        go(scene, all);
+        if (all.endless())
+            return fmt::format("{} does not end between two leaves; the likely cause: {}", walk,
+                               when_endless);
+        if (all.visits.empty() || all.counts().nodes == 0)
+            return fmt::format("{} visits {} packs and calls step() {} times on the way through "
+                               "two leaves; the likely cause: step() at each node, visit() at each "
+                               "leaf",
+                               walk, all.visits.size(), all.counts().nodes);
+        if (all.visits_of_crowd(first) == 0 || all.visits_of_crowd(second) == 0)
+            return fmt::format(
+                "a ray crosses two leaves, and {} visits only {}; the likely cause: {}", walk,
+                all.visits_of_crowd(first) == 0 ? "the far one" : "the near one",
+                all.visits.size() == 1
+                    ? "it ends at the first leaf, though the visit does not say so"
+                    : "a leaf on the way is passed over");
+        if (near_first && all.visits.front() / 8 != first / 8)
+            return fmt::format("{} visits the far leaf before the near one; the likely cause: the "
+                               "far child is visited first",
+                               walk);
+        Notes behind(packs, crowds.ray);
+        behind.reach_behind_first = 20;
+        go(scene, behind);
+        if (behind.visits_of_crowd(second) == 0 || behind.visits_of_crowd(first) == 0)
+            return fmt::format("with a hit behind both leaves {} visits only one of them; the "
+                               "likely cause: the walk ends at the first hit, which may lie behind "
+                               "the leaf that it was found in",
+                               walk);
+        Notes shorter(packs, crowds.ray);
+        shorter.reach_behind_first = 2.001f;
+        go(scene, shorter);
+        if (shorter.visits.front() / 8 == first / 8 && shorter.visits_of_crowd(second) > 0)
+            return fmt::format("{} visits a leaf 12 ahead although a hit is 2 ahead; the likely "
+                               "cause: what lies behind the hit must be left out, by query.reach()",
+                               walk);
+        Notes ended(packs, crowds.ray);
+        ended.end_at_first = true;
+        go(scene, ended);
+        if (ended.visits.size() != 1)
+            return fmt::format("{} goes on to {} more packs when a visit has said that it may end; "
+                               "the likely cause: a visit that returns true ends the walk",
+                               walk, ended.visits.size() - 1);
+        return "";
+    }
+};
+
 // What a walk finds: once for the closest hit, once for any. walk: a function of a query.
 template <class Walk>
 Answer answer_of(const std::vector<TrianglePack>& packs, const std::vector<Triangle>& triangles,
@@ -229,8 +345,8 @@ Answer answer_of(const std::vector<TrianglePack>& packs, const std::vector<Trian
     walk(closest);
     AnyHit any(leaves, ray);
     walk(any);
-    return {closest.hit().t, closest.hit().id, any.found(), closest.counts(),
-            closest.endless() || any.endless()};
+    return {closest.hit().t,  closest.hit().id, any.found(),
+            closest.counts(), any.counts(),     closest.endless() || any.endless()};
 }
 
 // To the last bit of t.

@@ -19,22 +19,42 @@ void find_cells(const KdTree& tree, int at, const Bounds& cell, std::vector<Boun
     find_cells(tree, node.above(), high, cells);
 }
 
+// Does the neighbour end where the cell's face is?
+bool touches(const Bounds& neighbour, const Bounds& cell, int face) {
+    const int axis = face / 2;
+    return face % 2 == 0 ? neighbour.high[axis] == cell.low[axis]
+                         : neighbour.low[axis] == cell.high[axis];
+}
+
 // Do the cell's face and the neighbour touch, and does the neighbour cover all of the face?
 bool covers(const Bounds& neighbour, const Bounds& cell, int face) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const float begin = cell.low[axis], end = cell.high[axis];
-        const float n_low = neighbour.low[axis], n_high = neighbour.high[axis];
-        const bool touches = face % 2 == 0 ? n_high == begin : n_low == end;
-        if (axis == face / 2 ? !touches : !(n_low <= begin && n_high >= end)) return false;
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis != face / 2 &&
+            !(neighbour.low[axis] <= cell.low[axis] && neighbour.high[axis] >= cell.high[axis]))
+            return false;
+    return touches(neighbour, cell, face);
+}
+
+// So many levels below the rope's end there is still a node that covers all of the face.
+int levels_left(const KdTree& tree, const std::vector<Bounds>& cells, int rope, const Bounds& cell,
+                int face) {
+    for (int levels = 0;; ++levels) {
+        const KdNode& end = tree.nodes[rope];
+        if (end.is_leaf()) return levels;
+        if (covers(cells[end.below()], cell, face))
+            rope = end.below();
+        else if (covers(cells[end.above()], cell, face))
+            rope = end.above();
+        else
+            return levels;
     }
-    return true;
 }
 
 std::string face_name(int face) {
     return fmt::format("{} {} face", face % 2 == 0 ? "lower" : "upper", char('x' + face / 2));
 }
 
-TEST(Task4_2, RopesLeadToTheSmallestNeighbour) {
+TEST(Task4_2, RopesLeadToWhatLiesBehindTheFace) {
     for (const auto& triangles : {hills(12), soup(300, 0.3f), on_grid(400)}) {
         const KdCase scene(triangles, deep());
         const KdTree& tree = scene.tree;
@@ -48,33 +68,49 @@ TEST(Task4_2, RopesLeadToTheSmallestNeighbour) {
                 const int rope = leaf.rope[face];
                 if (!expect((rope == no_rope) == outer,
                             fmt::format(
-                                "the rope at the {} of a leaf {}; the likely cause: a child "
-                                "takes its parent's ropes, but for the face to its sibling",
+                                "the rope at the {} of a leaf {}; the likely cause: a child takes "
+                                "its parent's ropes, and only at the face to its sibling another; "
+                                "siblings are tied to each other at the wrong face",
                                 face_name(face),
                                 outer ? "should be none, for the scene ends there" : "is missing")))
                     return;
                 if (outer) continue;
-                if (!expect(
-                        covers(cells[rope], leaf.cell, face),
-                        fmt::format("the rope at the {} of a leaf leads to a cell that does not "
-                                    "lie behind all of that face; the likely cause: siblings "
-                                    "are tied to each other at the wrong face, or a rope is "
-                                    "pushed down to a child that covers a part",
-                                    face_name(face))))
-                    return;
-                const KdNode& end = tree.nodes[rope];
-                const bool smaller =
-                    !end.is_leaf() && (covers(cells[end.below()], leaf.cell, face) ||
-                                       covers(cells[end.above()], leaf.cell, face));
-                if (!expect(!smaller,
-                            fmt::format("the rope at the {} of a leaf ends at a node one of whose "
-                                        "children covers the face, too; the likely cause: ropes "
-                                        "are not pushed down to the end",
+                if (!expect(touches(cells[rope], leaf.cell, face),
+                            fmt::format("the rope at the {} of a leaf leads to a cell that does "
+                                        "not touch that face; the likely cause: siblings are tied "
+                                        "to each other at the wrong face, or a rope is pushed down "
+                                        "to the child that does not touch the face",
+                                        face_name(face))) ||
+                    !expect(covers(cells[rope], leaf.cell, face),
+                            fmt::format("the rope at the {} of a leaf leads to a cell that does "
+                                        "not lie behind all of that face; the likely cause: a rope "
+                                        "is pushed down to a child that covers a part",
                                         face_name(face))))
                     return;
             }
         }
     }
+}
+
+// A rope that ends at a larger node is right, too, but costs a step for each level.
+TEST(Task4_2, RopesArePushedDown) {
+    const KdCase scene(hills(40), deep());
+    const KdTree& tree = scene.tree;
+    std::vector<Bounds> cells(tree.nodes.size());
+    find_cells(tree, 0, tree.bounds, cells);
+    double levels = 0, ropes = 0;
+    for (const KdLeaf& leaf : tree.leaves)
+        for (int face = 0; face < 6; ++face) {
+            const int rope = leaf.rope[face];
+            if (rope == no_rope || !covers(cells[rope], leaf.cell, face)) continue;
+            ++ropes;
+            levels += levels_left(tree, cells, rope, leaf.cell, face);
+        }
+    levels /= std::fmax(ropes, 1);
+    expect(levels <= 1, fmt::format("a rope ends {:.2f} levels above the smallest node that covers "
+                                    "its face, on average; at most 1 is allowed; the likely cause: "
+                                    "ropes are not pushed down",
+                                    levels));
 }
 
 TEST(Task4_2, EveryLeafHasItsCellAndRopes) {
