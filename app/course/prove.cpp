@@ -61,8 +61,7 @@ std::string objection(const State& state, const TaskResult& result) {
     }
     if (result.verdict == Verdict::pass) return "";
     // A test that calls a stubbed task cannot judge its own task, and reports the stub.
-    if (result.verdict == Verdict::not_implemented &&
-        state.stubbed.contains(result.stubs.front().task))
+    if (result.verdict == Verdict::waits && state.stubbed.contains(result.stubs.front().task))
         return "";
     return fmt::format("is {}{}{}", name(result.verdict), result.facts.empty() ? "" : ": ",
                        result.facts.empty() ? "" : result.facts.front());
