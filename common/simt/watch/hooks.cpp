@@ -4,6 +4,8 @@
 
 #include "common/simt/watch/undefined.h"
 
+#include <cstring>
+
 #define HOOK extern "C" __attribute__((visibility("default"), noinline))
 #define PC __builtin_return_address(0)
 
@@ -46,6 +48,21 @@ HOOK void __tsan_read_range(void* p, unsigned long n) {
 }
 HOOK void __tsan_write_range(void* p, unsigned long n) {
     look(p, unsigned(n), true, Touch::plain, PC);
+}
+// clang from version 15 on has these in place of calls of memcpy() and its like, for structs, too.
+HOOK void* __tsan_memcpy(void* to, const void* from, unsigned long n) {
+    look(from, unsigned(n), false, Touch::plain, PC);
+    look(to, unsigned(n), true, Touch::plain, PC);
+    return std::memcpy(to, from, n);
+}
+HOOK void* __tsan_memmove(void* to, const void* from, unsigned long n) {
+    look(from, unsigned(n), false, Touch::plain, PC);
+    look(to, unsigned(n), true, Touch::plain, PC);
+    return std::memmove(to, from, n);
+}
+HOOK void* __tsan_memset(void* to, int value, unsigned long n) {
+    look(to, unsigned(n), true, Touch::plain, PC);
+    return std::memset(to, value, n);
 }
 HOOK void __tsan_init() {}
 HOOK void __tsan_func_entry(void*) {}
