@@ -19,12 +19,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What every released tree has, besides its lab.
-const std::vector<std::string> given = {
-    ".clang-format", ".clangd",      ".devcontainer",  ".editorconfig",
-    ".gitignore",    ".vscode",      "CMakeLists.txt", "CMakePresets.json",
-    "LICENSE",       "packages.txt", "raylab",         "app",
-    "cmake",         "common",       "grader",         "scenes"};
+// What every released tree has, besides its lab. Of docs the guides for students, and the pages
+// that these and what is given refer to; the instructor's guide and its answers stay behind.
+const std::vector<std::string> given = {".clang-format",   ".clangd",
+                                        ".devcontainer",   ".editorconfig",
+                                        ".gitignore",      ".vscode",
+                                        "CMakeLists.txt",  "CMakePresets.json",
+                                        "LICENSE",         "packages.txt",
+                                        "raylab",          "app",
+                                        "cmake",           "common",
+                                        "grader",          "scenes",
+                                        "docs/guide",      "docs/formats.md",
+                                        "docs/machine.md", "docs/programs.md",
+                                        "docs/vendor.md",  "docs/images/environment_map.png"};
 
 // Of these folders: what works with solutions, by the names of the files without ending. A tree
 // without solutions does not compile it.
@@ -97,6 +104,8 @@ std::string student_readme(const LabSheet& sheet) {
     return fmt::format("# raylab, lab {}: {}\n\n"
                        "The handout is [labs/{}/README.md](labs/{}/README.md). Fill in the tasks'\n"
                        "functions in that folder; each says where it is missing:\n\n{}\n"
+                       "[docs/guide](docs/guide/README.md) helps with setup, mistakes and the "
+                       "write-up.\n\n"
                        "The script installs what is missing (it asks once), configures and builds: "
                        "the first\ncheck takes minutes, every later one seconds.\n",
                        sheet.number, sheet.title, sheet.folder, sheet.folder, commands);

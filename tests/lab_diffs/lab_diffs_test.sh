@@ -17,7 +17,7 @@ near() {
 # NEW's handout says how many there are, true to a tenth.
 budget() {
     local old=$1 new=$2 most_removed=$3 most_added=$4 removed added said
-    local out=(-x README.md -x '*.json' -x CMakeLists.txt -x figures -x tests -x variations -x mistakes)
+    local out=(-x '*.md' -x '*.json' -x CMakeLists.txt -x figures -x tests -x variations -x mistakes)
     read -r removed added < <({ diff -rN "${out[@]}" "$labs/$old" "$labs/$new" || true; } |
         awk '/^</ { r++ } /^>/ { a++ } END { print r + 0, a + 0 }')
     printf '%s -> %s: %d lines go (at most %d), %d come (at most %d)\n' \

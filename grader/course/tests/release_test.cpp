@@ -23,6 +23,9 @@ class Release : public TemporaryTree {
         write("common/given.h", "int given;\n");
         write("common/tests/answer_test.cpp", "the answer\n");
         write("app/tests/answer_test.cpp", "the answer\n");
+        write("docs/guide/student.md", "# A day\n");
+        write("docs/instructor/README.md", "# A semester\n");
+        write("docs/instructor/answers/07.md", "the answer\n");
         write("app/course/prove.cpp", "works with solutions\n");
         write("app/course/check.cpp", "works with stubs\n");
         write("labs/08_other/a.cpp", "int other;\n");
@@ -70,6 +73,8 @@ TEST_F(Release, LeavesOutAnswersTestsAndOtherLabs) {
     EXPECT_FALSE(has("common/tests/answer_test.cpp") || has("app/tests/answer_test.cpp"));
     EXPECT_TRUE(has("app/course/check.cpp"));
     EXPECT_FALSE(has("app/course/prove.cpp"));
+    EXPECT_TRUE(has("docs/guide/student.md"));
+    EXPECT_FALSE(has("docs/instructor")); // its answers to the handouts' questions
     EXPECT_FALSE(has("labs/07_tiny/variations/v.json") || has("labs/08_other/a.cpp"));
     EXPECT_EQ(read_file((root / "out/common/part.h").string()),
               "int answer = yours();\nint rest;\nint eight;\n");
