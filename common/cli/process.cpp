@@ -2,6 +2,7 @@
 // output and run on, or leave a grandchild that keeps the pipe open.
 #include "common/cli/process.h"
 
+#include "common/cli/deadline.h"
 #include "common/cli/leftovers.h"
 #include "common/math/index.h"
 
@@ -29,11 +30,6 @@ namespace raylab {
 namespace {
 
 constexpr std::size_t kept_output = 4 << 20;
-
-double now() {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 // A pipe whose ends no program inherits that is started meanwhile. macOS has no pipe2(): there
 // another thread may start one between the two calls, and its child keeps the pipe open until it
@@ -80,11 +76,11 @@ int start(const std::vector<std::string>& command, const ProcessOptions& options
 }
 
 // Reads until all processes have closed the other end; false if the time was up before.
-bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
+bool read_output(int pipe_end, Deadline& deadline, const ProcessOptions& options,
                  std::string& output) {
     char block[1 << 14];
     for (;;) {
-        const double left = deadline - now();
+        const double left = deadline.left();
         pollfd watched = {pipe_end, POLLIN, 0};
         const double wait = options.tick ? std::min(left, 0.2) : left;
         const int ready = left > 0 ? poll(&watched, 1, 1 + index_of(1000 * wait, INT_MAX)) : 0;
@@ -93,6 +89,7 @@ bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
             options.tick();
             continue;
         }
+        if (ready == 0 && deadline.left() > 0) continue;
         if (ready <= 0) return false;
         const ssize_t n = read(pipe_end, block, sizeof block);
         if (n < 0 && errno == EINTR) continue;
@@ -104,19 +101,20 @@ bool read_output(int pipe_end, double deadline, const ProcessOptions& options,
 }
 
 // Waits until the child ends; false if the time was up before.
-bool wait_for_end(pid_t child, double deadline, int& status) {
+bool wait_for_end(pid_t child, Deadline& deadline, int& status) {
     for (;;) {
         const pid_t ended = waitpid(child, &status, WNOHANG);
         if (ended != 0 && !(ended < 0 && errno == EINTR)) return true;
-        if (now() >= deadline) return false;
+        if (deadline.left() <= 0) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }
 
 // Waits until the child's output and the child end. If the time is up before, kills it and returns
 // false.
-bool is_over(pid_t child, int pipe_end, double deadline, const ProcessOptions& options,
-             std::string& output, int& status) {
+bool is_over(pid_t child, int pipe_end, const ProcessOptions& options, std::string& output,
+             int& status) {
+    Deadline deadline(child, options.limit_seconds, options.limit_on_a_busy_machine);
     if (read_output(pipe_end, deadline, options, output) && wait_for_end(child, deadline, status))
         return true;
     kill(-child, SIGKILL);
@@ -135,7 +133,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     };
     int ends[2];
     if (!make_pipe(ends)) return not_started(errno);
-    const double begin = now(), deadline = begin + options.limit_seconds;
+    const double begin = now();
     int error = 0, status = 0;
     {
         RunningChild running;
@@ -145,7 +143,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         running.started(result.started ? child : 0);
         close(ends[1]);
         if (result.started)
-            result.timed_out = !is_over(child, ends[0], deadline, options, result.output, status);
+            result.timed_out = !is_over(child, ends[0], options, result.output, status);
     }
     close(ends[0]);
     if (!result.started) return not_started(error);

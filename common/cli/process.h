@@ -27,6 +27,8 @@ struct ProcessOptions {
     std::function<void()> tick = {}; // is called now and then while there is nothing to see
     enum class Errors { in_output, passed_on, to_file } errors = Errors::in_output;
     std::filesystem::path error_file = {}; // of to_file, in place of what was there
+    // More than the limit: so long may a program run that other programs keep waiting (deadline.h).
+    double limit_on_a_busy_machine = 0;
 };
 
 // Runs command[0], found on PATH, with the other words as its arguments and an empty standard

@@ -49,6 +49,29 @@ TEST(Process, IsStoppedAtItsLimitWithItsChildren) {
     }
 }
 
+// Six times it waits and then works a little: as if other programs kept it from its work.
+const char* const kept_waiting = "for i in 1 2 3 4 5 6; do sleep 0.2; "
+                                 "j=0; while [ $j -lt 2000 ]; do j=$((j+1)); done; done; echo done";
+
+TEST(Process, ThatIsKeptWaitingHasMoreTime) {
+    EXPECT_TRUE(shell(kept_waiting, {.limit_seconds = 0.5}).timed_out);
+    const ProcessResult result =
+        shell(kept_waiting, {.limit_seconds = 0.5, .limit_on_a_busy_machine = 60});
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_EQ(result.output, "done\n");
+    EXPECT_TRUE(
+        shell(kept_waiting, {.limit_seconds = 0.5, .limit_on_a_busy_machine = 0.6}).timed_out);
+}
+
+TEST(Process, WhoseLoopNeverEndsOrThatWaitsForItselfIsStopped) {
+    for (const char* script : {"while :; do :; done", "exec sleep 100"}) {
+        const ProcessResult result =
+            shell(script, {.limit_seconds = 0.5, .limit_on_a_busy_machine = 60});
+        EXPECT_TRUE(result.timed_out) << script;
+        EXPECT_LT(result.seconds, 30) << script;
+    }
+}
+
 TEST(Process, ThatDoesNotExistIsSaid) {
     const ProcessResult result = run_process({"no-such-program-at-all"}, {1});
     EXPECT_FALSE(result.succeeded());
