@@ -13,6 +13,7 @@ using Run = std::function<ExitCode()>;
 
 Run add_check(CLI::App& app, const Tree& tree);
 Run add_prove(CLI::App& app, const Tree& tree);
+Run add_update(CLI::App& app, const Tree& tree);
 Run add_release(CLI::App& app, const Tree& tree);
 
 } // namespace raylab::app

@@ -1,4 +1,4 @@
-// raylab-check: the program behind `raylab check`, `raylab prove` and `raylab release`.
+// raylab-check: the program behind `raylab check`, `update`, `prove` and `release`.
 #include "app/course/commands.h"
 #include "common/cli/files.h"
 #include "common/cli/interrupt.h"
@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
         runs[sub] = command(*sub, tree);
     };
     add("check", app::add_check);
+    add("update", app::add_update);
     add("prove", app::add_prove);
     add("release", app::add_release);
     try {

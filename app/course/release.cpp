@@ -5,6 +5,7 @@
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
 #include "grader/course/answers.h"
+#include "grader/course/released_as.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -124,7 +125,9 @@ Part write_part(const LabSheet& sheet, const ReleaseOptions& options) {
                                              "what students of lab {} would get:{}",
                                              sheet.number, list));
     }
-    return {sheet, part, target, tree, earlier_answers(sheet, part)};
+    Part written = {sheet, part, target, tree, earlier_answers(sheet, part)};
+    pack_release(part);
+    return written;
 }
 
 // Who gets two trees at once can read in one what he is to write in the other.

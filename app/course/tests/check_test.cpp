@@ -77,7 +77,8 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     EXPECT_EQ(help.code, 0);
     for (const std::string command :
          {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
-          "bench-rays", "rare-cases", "prove", "release", "run", "debug", "import", "vendor"})
+          "bench-rays", "rare-cases", "prove", "release", "run", "debug", "import", "update",
+          "vendor"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
@@ -121,6 +122,8 @@ TEST(Release, OneTreeALab) {
     EXPECT_TRUE(fs::exists(folder + "/02_iterative/labs/02_iterative/path.h"));
     EXPECT_FALSE(fs::exists(folder + "/02_iterative/labs/01_recursive"));
     EXPECT_FALSE(fs::exists(folder + "/01_recursive/common/trace/intersect.h"));
+    EXPECT_TRUE(fs::exists(folder + "/01_recursive/.released.tar.gz"));
+    expect("update " + folder + "/01_recursive", 2, {"no released tree: it has 4 labs"});
     expect("release --labs 01 -o " + folder + how, 2, {"is there already"});
     const int handle = open(folder.c_str(), O_RDONLY);
     ASSERT_EQ(flock(handle, LOCK_EX), 0);
