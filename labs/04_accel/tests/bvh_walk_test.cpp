@@ -65,16 +65,17 @@ bool contains(const Bounds& outer, const Bounds& inner) {
     return true;
 }
 
-// The place after all that is below line[at], found by going through it; -1 if a link is wrong.
+// The place after all that is below line[at], found by going through it; -1 if a link is wrong. An
+// inner node has two children, the root of a tree of one leaf has one.
 int end_of(const std::vector<SkipNode>& line, int at) {
     const SkipNode& node = line[at];
-    int end = at + 1;
-    if (node.pack < 0)
-        for (int child = 0; child < 2; ++child) {
-            if (end < 0 || end >= int(line.size()) || !contains(node.box, line[end].box)) return -1;
-            end = end_of(line, end);
-        }
-    return end == node.skip ? end : -1;
+    int end = at + 1, children = 0;
+    for (; node.pack < 0 && end < node.skip; ++children) {
+        if (end >= int(line.size()) || !contains(node.box, line[end].box)) return -1;
+        end = end_of(line, end);
+        if (end < 0) return -1;
+    }
+    return end == node.skip && children <= 2 ? end : -1;
 }
 
 TEST(Task4_7, EachLinkLeadsPastWhatIsBelow) {
