@@ -113,6 +113,44 @@ TEST_F(Order, AFenceOfAllThreadsBeforeABarrierCountsForTheBlock) {
     EXPECT_TRUE(clock.knows(0, other, time));
 }
 
+// A read that was looked at once is not looked at again under one stamp: whatever lets others know
+// of it, or lets its thread know more, must give a new one.
+TEST_F(Order, AStampLastsUntilSomethingNewCanBeKnown) {
+    const auto renews = [&](int thread, const auto& event) {
+        const Stamp before = clock.stamp(thread);
+        event();
+        return clock.stamp(thread) != before;
+    };
+    EXPECT_NE(clock.stamp(0), clock.stamp(1));
+    EXPECT_FALSE(renews(0, [&] { clock.meet(1, ~0u); })) << "the other warp's lanes";
+    EXPECT_TRUE(renews(0, [&] { clock.meet(0, 0b11); }));
+    EXPECT_TRUE(renews(0, [&] { clock.fence(0); }));
+    EXPECT_FALSE(renews(1, [&] { clock.publish(0, 4096); }));
+    EXPECT_FALSE(renews(1, [&] { clock.pick_up(1, 8192); })) << "nothing is published there";
+    EXPECT_TRUE(renews(1, [&] { clock.pick_up(1, 4096); }));
+    EXPECT_TRUE(renews(63, [&] { clock.barrier(); }));
+    EXPECT_TRUE(renews(63, [&] { clock.begin_block(4, 64); }));
+}
+
+TEST_F(Order, AWarpHasAStampWhileItsLanesKnowTheSame) {
+    EXPECT_NE(clock.warp_stamp(0), clock.warp_stamp(32));
+    EXPECT_EQ(clock.warp_stamp(0), clock.warp_stamp(31));
+    const Stamp first = clock.warp_stamp(0);
+    clock.meet(0, 0b11);
+    EXPECT_EQ(clock.warp_stamp(0), no_stamp) << "lane 2 does not know what lanes 0 and 1 do";
+    EXPECT_NE(clock.warp_stamp(32), no_stamp);
+    clock.meet(0, ~0u);
+    EXPECT_TRUE(clock.warp_stamp(0) != no_stamp && clock.warp_stamp(0) != first);
+    clock.fence(7);
+    EXPECT_EQ(clock.warp_stamp(0), no_stamp) << "what lane 7 did can be known, lane 8's cannot";
+    clock.barrier();
+    EXPECT_NE(clock.warp_stamp(0), no_stamp);
+    clock.fence(40);
+    clock.publish(40, 4096);
+    clock.pick_up(3, 4096);
+    EXPECT_EQ(clock.warp_stamp(0), no_stamp);
+}
+
 struct Streams : testing::Test {
     StreamOrder order;
     const char handles[4] = {};

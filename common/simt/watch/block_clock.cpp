@@ -6,8 +6,9 @@
 namespace raylab::simt::watch {
 
 void BlockClock::begin_block(uint32_t block, int threads) {
-    block_ = block;
     threads_ = threads;
+    thread_bits_ = std::bit_width(unsigned(threads - 1));
+    block_ = block & (~0u >> thread_bits_);
     epoch_ = 1; // 0: nobody knows it
     std::fill_n(now_.begin(), threads_, epoch_ << step_bits);
     if (lanes_met_) lane_ = {};
@@ -16,6 +17,21 @@ void BlockClock::begin_block(uint32_t block, int threads) {
     block_fenced_.clear();
     knows_.clear();
     fenced_.clear();
+    if (next_stamp_ > no_stamp / 2) {
+        next_stamp_ = 1;
+        forgotten_ = true;
+    }
+    new_stamps();
+}
+
+unsigned BlockClock::existing(int warp) const {
+    const int left = threads_ - warp * lanes;
+    return left >= lanes ? ~0u : (1u << left) - 1;
+}
+
+void BlockClock::new_stamps() {
+    for (int thread = 0; thread < threads_; ++thread) stamps_[thread] = next_stamp_++;
+    for (int warp = 0; warp * lanes < threads_; ++warp) warp_stamps_[warp] = next_stamp_++;
 }
 
 bool BlockClock::knows(int thread, Task task, Time time) const {
@@ -45,6 +61,7 @@ void BlockClock::barrier() {
     lanes_met_ = false;
     ++epoch_;
     std::fill_n(now_.begin(), threads_, epoch_ << step_bits);
+    new_stamps();
 }
 
 void BlockClock::meet(int warp, unsigned members) {
@@ -65,6 +82,7 @@ void BlockClock::meet(int warp, unsigned members) {
         if (!learnt.is_empty()) knows_[thread] = learnt;
         step(thread);
     }
+    warp_stamps_[warp] = members == existing(warp) ? next_stamp_++ : no_stamp;
 }
 
 void BlockClock::fence(int thread) {
@@ -78,6 +96,7 @@ void BlockClock::fence(int thread) {
     fenced.learn(block_knows_);
     if (const auto found = knows_.find(thread); found != knows_.end()) fenced.learn(found->second);
     step(thread);
+    warp_stamps_[thread / lanes] = no_stamp;
 }
 
 void BlockClock::publish(int thread, uintptr_t flag) {
@@ -90,8 +109,11 @@ void BlockClock::publish(int thread, uintptr_t flag) {
 
 void BlockClock::pick_up(int thread, uintptr_t flag) {
     if (published_.empty()) return;
-    if (const auto found = published_.find(flag); found != published_.end())
-        knows_[thread].learn(found->second);
+    const auto found = published_.find(flag);
+    if (found == published_.end()) return;
+    knows_[thread].learn(found->second);
+    stamps_[thread] = next_stamp_++;
+    warp_stamps_[thread / lanes] = no_stamp;
 }
 
 } // namespace raylab::simt::watch

@@ -8,17 +8,27 @@
 
 #define HOOK extern "C" __attribute__((visibility("default"), noinline))
 #define PC __builtin_return_address(0)
+#define FRAME uintptr_t(__builtin_frame_address(0))
 
+using raylab::simt::watch::quiet_reads;
 using raylab::simt::watch::Touch;
+
+constinit thread_local raylab::simt::watch::QuietReads raylab::simt::watch::quiet_reads{};
 
 static void look(const void* p, unsigned bytes, bool writes, Touch touch, const void* pc) {
     raylab::simt::watch::Watcher::get().access(uintptr_t(p), bytes, writes, touch, pc);
 }
 
+__attribute__((always_inline)) static inline void read(const void* p, unsigned bytes,
+                                                       uintptr_t frame, const void* pc) {
+    if (!quiet_reads.passes(uintptr_t(p), bytes, frame, pc))
+        look(p, bytes, false, Touch::plain, pc);
+}
+
 #define RAYLAB_HOOKS(bytes)                                                                        \
-    HOOK void __tsan_read##bytes(void* p) { look(p, bytes, false, Touch::plain, PC); }             \
+    HOOK void __tsan_read##bytes(void* p) { read(p, bytes, FRAME, PC); }                           \
     HOOK void __tsan_write##bytes(void* p) { look(p, bytes, true, Touch::plain, PC); }             \
-    HOOK void __tsan_unaligned_read##bytes(void* p) { look(p, bytes, false, Touch::plain, PC); }   \
+    HOOK void __tsan_unaligned_read##bytes(void* p) { read(p, bytes, FRAME, PC); }                 \
     HOOK void __tsan_unaligned_write##bytes(void* p) { look(p, bytes, true, Touch::plain, PC); }   \
     HOOK void __tsan_volatile_read##bytes(void* p) {                                               \
         look(p, bytes, false, Touch::volatile_, PC);                                               \
@@ -43,9 +53,7 @@ RAYLAB_HOOKS(8)
 RAYLAB_HOOKS(16)
 #undef RAYLAB_HOOKS
 
-HOOK void __tsan_read_range(void* p, unsigned long n) {
-    look(p, unsigned(n), false, Touch::plain, PC);
-}
+HOOK void __tsan_read_range(void* p, unsigned long n) { read(p, unsigned(n), FRAME, PC); }
 HOOK void __tsan_write_range(void* p, unsigned long n) {
     look(p, unsigned(n), true, Touch::plain, PC);
 }

@@ -13,9 +13,12 @@
 
 namespace raylab::simt::watch {
 
-using Task =
-    uint32_t; // a CUDA thread of the launch: block number * threads in a block + its number
+using Task = uint32_t; // a CUDA thread of the launch: its block's number, then its own (BlockClock)
 using Time = uint32_t; // epoch << step_bits | step
+
+// A number that a thread, or a warp, has as long as nothing new is known (quiet_reads.h).
+using Stamp = uint32_t;
+inline constexpr Stamp no_stamp = ~Stamp(0);
 
 inline constexpr int step_bits = 12;
 inline constexpr Time last_step = (1u << step_bits) - 1;

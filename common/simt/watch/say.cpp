@@ -71,11 +71,9 @@ Actor running_actor() {
 }
 
 std::vector<std::pair<const void*, size_t>> engine_variables() {
-    return {{&threadIdx, sizeof threadIdx},
-            {&blockIdx, sizeof blockIdx},
-            {&blockDim, sizeof blockDim},
-            {&gridDim, sizeof gridDim},
-            {&current_block, sizeof current_block}};
+    return {{&threadIdx, sizeof threadIdx},         {&blockIdx, sizeof blockIdx},
+            {&blockDim, sizeof blockDim},           {&gridDim, sizeof gridDim},
+            {&current_block, sizeof current_block}, {&quiet_reads, sizeof quiet_reads}};
 }
 
 void say_race(const Race& race, const RaceBook& book, const BlockClock& clock,

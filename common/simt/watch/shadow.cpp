@@ -40,7 +40,12 @@ void ByteBits::set(size_t first, size_t bytes, bool value) {
 
 Range::Range(uintptr_t first, size_t range_bytes, Memory kind)
     : begin(first), bytes(range_bytes), memory(kind), allowed(range_bytes), written(range_bytes),
-      words(static_cast<Word*>(map_memory((range_bytes / 4 + 1) * sizeof(Word)))) {}
+      words(static_cast<Word*>(map_memory((range_bytes / 4 + 1) * sizeof(Word)))),
+      marks(static_cast<Stamp*>(map_memory((range_bytes / 4 + 1) * sizeof(Stamp)))) {}
+
+void Range::forget_marks() {
+    madvise(marks, (bytes / 4 + 1) * sizeof(Stamp), MADV_DONTNEED); // they are 0 again
+}
 
 Word& Range::byte_at(size_t word, int byte) {
     auto found = split.find(word);

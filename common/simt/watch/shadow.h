@@ -6,7 +6,7 @@
 // threads touch single bytes of a word, the word is split into four.
 #pragma once
 
-#include "common/simt/watch/knowledge.h"
+#include "common/simt/watch/quiet_reads.h"
 
 #include <array>
 #include <cstddef>
@@ -16,8 +16,6 @@
 #include <vector>
 
 namespace raylab::simt::watch {
-
-using Pc = const void*; // the instruction behind an access
 
 enum class Touch : uint8_t { plain, volatile_, atomic }; // how a place is touched
 
@@ -58,7 +56,8 @@ enum class Memory { global, shared, symbol };
 struct Range {
     Range(uintptr_t first, size_t range_bytes, Memory kind);
     bool has(uintptr_t address) const { return address - begin < bytes; }
-    Word* word_at(uintptr_t address) { return words + (address - begin) / 4; }
+    MarkedSpan marked() const { return {{begin, bytes}, marks}; }
+    void forget_marks();
     // The part of a split word: its byte `byte`.
     Word& byte_at(size_t word, int byte);
 
@@ -66,7 +65,8 @@ struct Range {
     size_t bytes;
     Memory memory;
     ByteBits allowed, written;
-    Word* words; // mapped
+    Word* words;  // mapped
+    Stamp* marks; // likewise, a word each (quiet_reads.h)
     std::unordered_map<size_t, std::array<Word, 4>> split;
 };
 

@@ -1,14 +1,12 @@
 #include "common/simt/watch/traffic.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace raylab::simt::watch {
 
 namespace {
 
-constexpr uintptr_t sector_bytes = 32, bank_bytes = 4, banks = 32;
+constexpr uintptr_t sector_bytes = 32, banks = 32;
 
 size_t count_distinct(std::vector<uintptr_t>& values) {
     std::sort(values.begin(), values.end());
@@ -38,76 +36,58 @@ Traffic& Traffic::operator+=(const Traffic& other) {
     return *this;
 }
 
-void TrafficCounter::add(uint32_t site, int thread, uintptr_t address, unsigned bytes, bool writes,
-                         Memory memory) {
-    Traffic& traffic = traffic_[site];
-    traffic.memory = memory;
-    traffic.writes = writes;
-    traffic.bytes = bytes;
-    open_[{site, thread / lanes}][size_t(thread % lanes)].push_back(address);
+void TrafficCounter::touch(Open& open, uint32_t site, const Traffic& kind) {
+    touched_.push_back(size_t(&open - open_.data()));
+    open.site = site;
+    if (site >= traffic_.size()) traffic_.resize(site + 1);
+    traffic_[site] += kind;
+}
+
+void TrafficCounter::want(Request& request, uintptr_t begin, uint32_t units) {
+    const uintptr_t end = begin + units, wanted_end = request.begin + request.units;
+    if (begin <= wanted_end && request.begin <= end) {
+        request.begin = std::min(request.begin, begin);
+        request.units = uint32_t(std::max(wanted_end, end) - request.begin) & 0xffffff;
+        return;
+    }
+    if (!request.others) {
+        request.others = uint32_t(++used_others_);
+        if (used_others_ > others_.size()) others_.emplace_back().reserve(lanes);
+    }
+    for (; begin < end; ++begin) others_[request.others - 1].push_back(begin);
 }
 
 void TrafficCounter::end_block() {
-    for (const auto& [key, addresses] : open_) put_together(traffic_[key.first], addresses);
-    open_.clear();
+    for (const size_t place : touched_) {
+        Open& open = open_[place];
+        for (const Request& request : open.requests) count(traffic_[open.site], request);
+        open.requests.clear();
+        open.next.fill(0);
+    }
+    touched_.clear();
+    for (size_t i = 0; i < used_others_; ++i) others_[i].clear();
+    used_others_ = 0;
 }
 
-void TrafficCounter::put_together(Traffic& traffic, const Addresses& addresses) {
-    size_t rounds = 0;
-    for (const auto& lane : addresses) rounds = std::max(rounds, lane.size());
-    std::vector<uintptr_t> sectors, words;
-    for (size_t round = 0; round < rounds; ++round) {
-        sectors.clear();
-        words.clear();
-        std::uint64_t active = 0;
-        for (const auto& lane : addresses) {
-            if (round >= lane.size()) continue;
-            ++active;
-            const uintptr_t first = lane[round], last = first + traffic.bytes - 1;
-            for (uintptr_t s = first / sector_bytes; s <= last / sector_bytes; ++s)
-                sectors.push_back(s);
-            for (uintptr_t w = first / bank_bytes; w <= last / bank_bytes; ++w) words.push_back(w);
-        }
-        ++traffic.requests;
-        traffic.lanes += active;
-        if (traffic.memory == Memory::shared) {
-            traffic.wavefronts += most_of_a_bank(words);
-            continue;
-        }
-        const std::uint64_t moved = count_distinct(sectors),
-                            side_by_side =
-                                (active * traffic.bytes + sector_bytes - 1) / sector_bytes;
-        traffic.sectors += moved;
-        traffic.least_sectors += std::min(moved, side_by_side);
+void TrafficCounter::count(Traffic& traffic, const Request& request) {
+    ++traffic.requests;
+    traffic.lanes += request.lanes;
+    const bool is_shared = traffic.memory == Memory::shared;
+    std::uint64_t wanted = request.units;
+    if (request.others) {
+        scratch_ = others_[request.others - 1];
+        for (unsigned i = 0; i < request.units; ++i) scratch_.push_back(request.begin + i);
+        wanted = is_shared ? most_of_a_bank(scratch_) : count_distinct(scratch_);
+    } else if (is_shared) {
+        wanted = (wanted + banks - 1) / banks;
     }
-}
-
-std::string traffic_table(const std::string& kernel, const std::map<SourcePlace, Traffic>& lines) {
-    std::vector<std::pair<SourcePlace, Traffic>> rows(lines.begin(), lines.end());
-    const auto cost = [](const Traffic& t) { return t.sectors + t.wavefronts; };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&](const auto& a, const auto& b) { return cost(a.second) > cost(b.second); });
-    std::string text = "kernel " + kernel +
-                       "\n  memory  access   requests  threads/warp  sectors/request (least)  bank "
-                       "conflicts  line\n";
-    for (const auto& [place, t] : rows) {
-        char row[256];
-        const bool is_shared = t.memory == Memory::shared;
-        std::snprintf(row, sizeof row, "  %-7s %-6s %10llu  %12.1f  ",
-                      is_shared ? "shared" : "global", t.writes ? "write" : "read",
-                      static_cast<unsigned long long>(t.requests), t.active_threads());
-        text += row;
-        if (is_shared)
-            std::snprintf(row, sizeof row, "%23s  %14llu", "",
-                          static_cast<unsigned long long>(t.bank_conflicts()));
-        else
-            std::snprintf(row, sizeof row, "%14.1f (%6.1f)  %14s", t.sectors_per_request(),
-                          double(t.least_sectors) / double(t.requests), "");
-        text += row;
-        text += "  " + place.file + ":" + std::to_string(place.line) + ":" +
-                std::to_string(place.column) + "\n";
+    if (is_shared) {
+        traffic.wavefronts += wanted;
+        return;
     }
-    return text;
+    traffic.sectors += wanted;
+    traffic.least_sectors += std::min<std::uint64_t>(
+        wanted, (request.lanes * traffic.bytes + sector_bytes - 1) / sector_bytes);
 }
 
 } // namespace raylab::simt::watch

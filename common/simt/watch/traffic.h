@@ -37,22 +37,58 @@ struct Traffic {
 
 class TrafficCounter {
   public:
+    // `site`: of RaceBook::site(), so numbers are dense.
     void add(uint32_t site, int thread, uintptr_t address, unsigned bytes, bool writes,
-             Memory memory);
+             Memory memory) {
+        const unsigned shift = memory == Memory::shared ? bank_shift : sector_shift;
+        const uintptr_t begin = address >> shift;
+        const uint32_t units = uint32_t(((address + bytes - 1) >> shift) - begin + 1);
+        const size_t place = size_t(site) * warps + size_t(thread / lanes);
+        if (place >= open_.size()) open_.resize(place + warps);
+        Open& warp = open_[place];
+        const uint32_t number = warp.next[size_t(thread % lanes)]++;
+        if (number == warp.requests.size()) {
+            if (number == 0) touch(warp, site, {memory, writes, bytes});
+            warp.requests.push_back({begin, units, 1, 0});
+            return;
+        }
+        Request& request = warp.requests[number];
+        ++request.lanes;
+        if (begin < request.begin || begin + units > request.begin + request.units)
+            want(request, begin, units);
+    }
 
-    // Puts the accesses of the block together to requests. To be called at its end.
+    // Counts the requests of the block. To be called at its end.
     void end_block();
 
-    const std::map<uint32_t, Traffic>& by_site() const { return traffic_; }
+    const std::vector<Traffic>& by_site() const { return traffic_; }
     void clear() { traffic_.clear(); }
 
   private:
-    static constexpr int lanes = 32;
-    using Addresses = std::array<std::vector<uintptr_t>, lanes>; // of each lane, in its order
-    void put_together(Traffic& traffic, const Addresses& addresses);
+    static constexpr int lanes = 32, warps = 32;
+    static constexpr unsigned sector_shift = 5, bank_shift = 2; // of bytes, as powers of two
+    // What the nth access of each lane wants, in sectors of global memory or words of shared
+    // memory. Almost always these lie side by side; those that do not are kept in a list.
+    struct Request {
+        uintptr_t begin; // of those side by side
+        uint32_t units : 24, lanes : 8;
+        uint32_t others; // number of the list, from 1 on; 0: none
+    };
+    struct Open { // the requests of one warp from one site
+        uint32_t site = 0;
+        std::array<uint32_t, lanes> next{}; // by lane
+        std::vector<Request> requests;
+    };
+    void touch(Open& open, uint32_t site, const Traffic& kind);
+    void want(Request& request, uintptr_t begin, uint32_t units);
+    void count(Traffic& traffic, const Request& request);
 
-    std::map<uint32_t, Traffic> traffic_;
-    std::map<std::pair<uint32_t, int>, Addresses> open_; // by site and warp
+    std::vector<Traffic> traffic_; // by site
+    std::vector<Open> open_;       // by site and warp
+    std::vector<size_t> touched_;  // of these, in this block
+    std::vector<std::vector<uintptr_t>> others_;
+    size_t used_others_ = 0;
+    std::vector<uintptr_t> scratch_;
 };
 
 // Adds a launch to what is known of its kernel; when the program ends, all is written to stderr,

@@ -139,8 +139,10 @@ void Watcher::begin_launch(const Launch& launch, bool prints) {
 void Watcher::note_traffic() {
     traffic_.end_block();
     std::map<SourcePlace, Traffic> lines;
-    for (const auto& [site, traffic] : traffic_.by_site())
-        lines[place_of(races_.pc(site))] += traffic; // a line may be compiled more than once
+    const std::vector<Traffic>& traffic = traffic_.by_site();
+    for (uint32_t site = 1; site < traffic.size(); ++site)
+        if (traffic[site].requests) // a line may be compiled more than once
+            lines[place_of(races_.pc(site))] += traffic[site];
     if (!lines.empty()) add_traffic(launch_->kernel, lines);
     traffic_.clear();
 }
@@ -161,6 +163,28 @@ void Watcher::end_launch() {
     thread_ = -1;
 }
 
+// Cooperative launches are not watched.
+void Watcher::go_on(int thread) {
+    thread_ = launch_ ? thread : -1;
+    if (thread_ < 0) return;
+    quiet_reads.run(clock_.stamp(thread), clock_.warp_stamp(thread));
+    quiet_reads.last_reads = &last_reads_[size_t(thread)];
+}
+
+void Watcher::prepare_quiet_reads() {
+    std::vector<Range*> ranges{&arena_, &symbols_};
+    if (statics_) ranges.push_back(statics_);
+    if (dynamic_) ranges.push_back(dynamic_);
+    if (clock_.forgotten())
+        for (Range* range : ranges) range->forget_marks();
+    quiet_reads.stack = quiet_reads.shallow = {};
+    quiet_reads.arena = {};
+    quiet_reads.others = {};
+    if (counts_traffic_) return; // every access has its cost
+    quiet_reads.arena = arena_.marked();
+    for (size_t i = 1; i < ranges.size(); ++i) quiet_reads.others[i - 1] = ranges[i]->marked();
+}
+
 void Watcher::begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes) {
     if (!launch_) return;
     races_.settle();
@@ -168,13 +192,15 @@ void Watcher::begin_block(uint32_t block, int threads, void* dynamic_shared, siz
     clock_.begin_block(block, threads);
     if (statics_) statics_->written.set(0, statics_->bytes, false);
     dynamic_ = nullptr;
-    if (!bytes) return;
-    const uintptr_t begin = uintptr_t(dynamic_shared);
-    dynamic_ =
-        &dynamics_.try_emplace(begin, begin, most_shared + red_zone, Memory::shared).first->second;
-    dynamic_->allowed.set(0, dynamic_->bytes, false);
-    dynamic_->allowed.set(0, bytes, true);
-    dynamic_->written.set(0, bytes, false);
+    if (bytes) {
+        const uintptr_t begin = uintptr_t(dynamic_shared);
+        dynamic_ = &dynamics_.try_emplace(begin, begin, most_shared + red_zone, Memory::shared)
+                        .first->second;
+        dynamic_->allowed.set(0, dynamic_->bytes, false);
+        dynamic_->allowed.set(0, bytes, true);
+        dynamic_->written.set(0, bytes, false);
+    }
+    prepare_quiet_reads();
 }
 
 void Watcher::stop_after(const Finding& finding) {
@@ -188,7 +214,9 @@ void Watcher::count_out_of_bounds(const Finding& finding) {
 }
 
 void Watcher::fence() {
-    if (thread_ >= 0) clock_.fence(thread_);
+    if (thread_ < 0) return;
+    clock_.fence(thread_);
+    go_on(thread_); // with a new stamp
 }
 
 Range* Watcher::range_of(uintptr_t address) {
@@ -203,8 +231,8 @@ void Watcher::access(uintptr_t address, unsigned bytes, bool writes, Touch touch
     if (!current_block) // host code, of whatever thread of the operating system
         return host_access(address, bytes, writes, touch, pc);
     if (thread_ < 0 || is_busy_) return;
-    if (address - stack_.first < stack_.second &&
-        uintptr_t(__builtin_frame_address(0)) - stack_.first < stack_.second)
+    const Span& stack = quiet_reads.stack;
+    if (stack.has(address) && stack.has(uintptr_t(__builtin_frame_address(0))))
         return; // on its own stack
     is_busy_ = true;
     look(address, bytes, writes, touch, pc);
@@ -223,10 +251,16 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
     races_.settle();
     Access me{
         clock_.task(thread_), clock_.now(thread_), launch_number_, races_.site(pc), touch, false};
-    if (counts_traffic_) traffic_.add(me.site, thread_, address, bytes, writes, range.memory);
+    if (counts_traffic_) {
+        traffic_.add(me.site, thread_, address, bytes, writes, range.memory);
+        if (!writes && touch == Touch::plain &&
+            quiet_reads.is_quiet(range.marked(), offset, bytes)) {
+            last_reads_[size_t(thread_)].add(address, pc);
+            return;
+        }
+    }
     if (touch == Touch::plain && !writes) {
-        Reads& mine = last_reads_[size_t(thread_)];
-        mine.reads[mine.next++ % mine.reads.size()] = {address, uint32_t(me.site)};
+        last_reads_[size_t(thread_)].add(address, pc);
     } else if (touch == Touch::plain && range.memory != Memory::shared) {
         me.has_read = has_read(address);
     }
@@ -244,8 +278,10 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
         }
         if (writes) range.written.add(word, mask);
         Word& whole = range.words[word];
+        range.marks[word] = 0;
         if (mask == 15 && !whole.is_split) {
-            check(range, whole, me, writes, range.begin + word * 4, 4);
+            const Quiet quiet = check(range, whole, me, writes, range.begin + word * 4, 4);
+            mark(range, word, quiet);
         } else {
             for (int byte = 0; byte < 4; ++byte)
                 if (mask >> byte & 1)
@@ -256,6 +292,7 @@ void Watcher::look(uintptr_t address, unsigned bytes, bool writes, Touch touch, 
     if (touch != Touch::plain) {
         if (!writes || is_atomic(touch)) clock_.pick_up(thread_, address);
         if (writes) clock_.publish(thread_, address);
+        go_on(thread_); // perhaps with a new stamp
     }
     if (all_unwritten && (!writes || is_atomic(touch))) {
         const uint32_t site = me.site;

@@ -37,10 +37,11 @@ class Watcher {
     void begin_launch(const Launch& launch, bool prints); // findings, to stderr
     void end_launch();
     void begin_block(uint32_t block, int threads, void* dynamic_shared, size_t bytes);
-    void go_on(int thread) {
-        thread_ = launch_ ? thread : -1;
-    }                              // cooperative launches are not watched
-    void pause() { thread_ = -1; } // until go_on(): the engine or host code runs
+    void go_on(int thread);
+    void pause() { // until go_on(): the engine or host code runs
+        thread_ = -1;
+        quiet_reads.stop();
+    }
     void barrier() {
         if (launch_) clock_.barrier();
     }
@@ -83,21 +84,25 @@ class Watcher {
     Watcher();
     void look(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
     Range* range_of(uintptr_t address);
-    const std::pair<const uintptr_t, size_t>* stack_of(uintptr_t address) const;
+    Span stack_of(uintptr_t address) const;
     void look_outside(uintptr_t address, bool writes, Pc pc);
     void look_at_depth() {
         const uintptr_t here = uintptr_t(__builtin_frame_address(0));
-        if (here - stack_.first >= stack_.second ||
-            stack_.first + stack_.second - here > depth_to_look_at_)
-            count_calls(here);
+        if (!quiet_reads.shallow.has(here)) count_calls(here);
     }
     void count_calls(uintptr_t here);
+    void set_stack(const Span& stack);
+    void prepare_quiet_reads();
     void host_access(uintptr_t address, unsigned bytes, bool writes, Touch touch, Pc pc);
     void host_uses_symbol(uintptr_t address, unsigned bytes, bool writes, Pc pc);
-    void check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
-               unsigned bytes);
+    // Whom the word is quiet for from now on.
+    enum class Quiet { nobody, thread, warp };
+    void mark(Range& range, uintptr_t word, Quiet quiet);
+    Quiet check(Range& range, Word& word, const Access& me, bool writes, uintptr_t address,
+                unsigned bytes);
     bool is_current(const Range& range, const Access& access) const;
-    void insert_reader(const Range& range, Word& word, const Access& me);
+    bool insert_reader(const Range& range, Word& word, const Access& me);
+    bool all_lanes_know(const Range& range, const Access& access) const;
     void conflict(const Range& range, const Access& before, bool before_wrote, const Access& me,
                   bool writes, uintptr_t address, unsigned bytes);
 
@@ -131,14 +136,8 @@ class Watcher {
     Range* dynamic_ = nullptr;            // the block's
     bool counts_traffic_ = false;         // RAYLAB_COUNT=memory in the environment
     TrafficCounter traffic_;
-    std::map<uintptr_t, size_t> stacks_;   // of CUDA threads: lowest address, bytes
-    std::pair<uintptr_t, size_t> stack_{}; // one of them
-    // The last plain reads of each thread, in a ring.
-    struct Reads {
-        std::array<std::pair<uintptr_t, uint32_t>, 4> reads; // address, site
-        unsigned next;
-    };
-    std::array<Reads, 1024> last_reads_{};          // by thread
+    std::map<uintptr_t, size_t> stacks_;            // of CUDA threads: lowest address, bytes
+    std::array<LastReads, 1024> last_reads_;        // by thread
     size_t stack_limit_ = 0, depth_to_look_at_ = 0; // bytes: cudaLimitStackSize, and here
 };
 

@@ -4,6 +4,8 @@
 #include "common/simt/watch/say_text.h"
 #include "common/simt/watch/watcher.h"
 
+#include <algorithm>
+
 namespace raylab::simt::watch {
 
 namespace {
@@ -21,22 +23,28 @@ bool is_managed(uintptr_t address) {
 
 void Watcher::add_stack(const void* bottom, size_t bytes) { stacks_[uintptr_t(bottom)] = bytes; }
 
-const std::pair<const uintptr_t, size_t>* Watcher::stack_of(uintptr_t address) const {
+// Empty if the address lies in none.
+Span Watcher::stack_of(uintptr_t address) const {
     const auto next = stacks_.upper_bound(address);
-    if (next == stacks_.begin()) return nullptr;
-    const auto& stack = *std::prev(next);
-    return address - stack.first < stack.second ? &stack : nullptr;
+    if (next == stacks_.begin()) return {};
+    const Span stack{std::prev(next)->first, std::prev(next)->second};
+    return stack.has(address) ? stack : Span{};
+}
+
+void Watcher::set_stack(const Span& stack) {
+    const size_t looked_at = std::min(depth_to_look_at_, stack.bytes);
+    quiet_reads.stack = stack;
+    quiet_reads.shallow = {stack.begin + stack.bytes - looked_at, looked_at};
 }
 
 // Remembers the thread's own stack: the next access is likely there, too. A thread that meets the
 // others at a barrier keeps its stack to itself; those that do not share one, one after the other.
 void Watcher::look_outside(uintptr_t address, bool writes, Pc pc) {
-    const auto* stack = stack_of(address);
-    if (!stack) return say_strange_address(address, writes, pc);
-    const auto* own = stack_of(uintptr_t(__builtin_frame_address(0)));
-    if (own == stack)
-        stack_ = *stack;
-    else if (own)
+    const Span stack = stack_of(address), own = stack_of(uintptr_t(__builtin_frame_address(0)));
+    if (!stack.bytes) return say_strange_address(address, writes, pc);
+    if (own.begin == stack.begin)
+        set_stack(own);
+    else if (own.bytes)
         say_foreign_local(writes, pc);
 }
 
@@ -44,12 +52,14 @@ void Watcher::look_outside(uintptr_t address, bool writes, Pc pc) {
 // return address and a register each, in 16 bytes; large arrays of one function lie outside of that
 // limit, so calls are counted, by their frames' links.
 void Watcher::count_calls(uintptr_t here) {
-    if (here - stack_.first >= stack_.second)
-        if (const auto* own = stack_of(here)) stack_ = *own;
-    const uintptr_t end = stack_.first + stack_.second;
-    if (here - stack_.first >= stack_.second || end - here <= depth_to_look_at_) return;
+    const Span stack = stack_of(here);
+    if (!stack.bytes) return;
+    set_stack(stack);
+    const uintptr_t end = stack.begin + stack.bytes;
+    if (end - here <= depth_to_look_at_) return;
     depth_to_look_at_ = (end - here) / 4 * 5; // the next time
-    std::vector<Pc> calls;                    // where to return
+    set_stack(stack);
+    std::vector<Pc> calls; // where to return
     for (uintptr_t frame = here, next; frame >= here && frame < end - 16; frame = next) {
         calls.push_back(reinterpret_cast<const Pc*>(frame)[1]);
         next = *reinterpret_cast<const uintptr_t*>(frame);
@@ -87,8 +97,8 @@ void Watcher::host_uses_symbol(uintptr_t address, unsigned bytes, bool writes, P
 
 void Watcher::checks_again(uintptr_t address) {
     if (thread_ < 0) return;
-    for (const auto& [place, site] : last_reads_[size_t(thread_)].reads)
-        if (place == address && site) races_.checked_again(site);
+    for (const auto& [place, pc] : last_reads_[size_t(thread_)].reads)
+        if (place == address && pc) races_.checked_again(races_.site(pc));
 }
 
 } // namespace raylab::simt::watch

@@ -1,4 +1,4 @@
-// expect: races,watch error 18|19 race
+// expect: races,watch error 18|19 race; maybe error 21 race
 // The memory of one phase becomes that of the next while slow threads still read it.
 #include <cuda_runtime.h>
 #include <cstdio>
