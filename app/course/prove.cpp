@@ -1,8 +1,10 @@
 // raylab prove: the tests of the labs' tasks are tested. For every task: red on its stub, green on
-// the solution, green on every harmless variation; or, with --mistakes, red on every known mistake.
+// the solution, green on every harmless variation; or, with --mistakes, red on every known mistake,
+// and with --mutants on every slip.
 #include "app/course/commands.h"
 #include "app/course/proof_build.h"
 #include "app/course/prove_mistakes.h"
+#include "app/course/prove_mutants.h"
 #include "common/cli/files.h"
 #include "common/cli/progress.h"
 
@@ -135,8 +137,20 @@ std::string to_markdown(const std::vector<LabProof>& proofs) {
 struct ProveOptions {
     std::vector<std::string> labs;
     std::string output, only;
-    bool mistakes = false;
+    bool mistakes = false, mutants = false;
+    int every = 1; // of the mutants
 };
+
+// The labs' mistakes or mutants: judged, and written as a table. `prove` gives what one lab has.
+template <class Prove>
+ExitCode prove_planted(const Tree& tree, const std::vector<std::string>& labs,
+                       const std::string& output, const Prove& prove) {
+    decltype(prove(find_lab(tree.root, labs.front()))) proofs;
+    for (const std::string& lab : labs)
+        for (auto& proof : prove(find_lab(tree.root, lab))) proofs.push_back(std::move(proof));
+    if (!output.empty()) write_file(output, to_markdown(proofs));
+    return judged(proofs);
+}
 
 ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
     if (!options.output.empty()) prepare_output(options.output);
@@ -146,15 +160,14 @@ ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
         throw std::runtime_error(
             fmt::format("{} has no lab: nothing was proved", tree.root.string()));
     ProofBuild build(tree);
-    if (options.mistakes) {
-        std::vector<MistakeProof> proofs;
-        for (const std::string& lab : labs)
-            for (MistakeProof& proof :
-                 prove_mistakes(build, find_lab(tree.root, lab), options.only))
-                proofs.push_back(std::move(proof));
-        if (!options.output.empty()) write_file(options.output, to_markdown(proofs));
-        return judged(proofs);
-    }
+    if (options.mistakes)
+        return prove_planted(tree, labs, options.output, [&](const LabSheet& sheet) {
+            return prove_mistakes(build, sheet, options.only);
+        });
+    if (options.mutants)
+        return prove_planted(tree, labs, options.output, [&](const LabSheet& sheet) {
+            return prove_mutants(build, sheet, options.only, options.every);
+        });
     std::vector<LabProof> proofs;
     bool holds = true;
     for (const std::string& lab : labs) {
@@ -184,16 +197,30 @@ Run add_prove(CLI::App& app, const Tree& tree) {
     app.add_option("LABS", options->labs, "labs (default: all)");
     auto* mistakes = app.add_flag("--mistakes", options->mistakes,
                                   "instead: red on every known mistake, for the right cause");
-    app.add_option("--only", options->only, "the mistakes with this in their name")
-        ->needs(mistakes);
+    auto* mutants = app.add_flag("--mutants", options->mutants,
+                                 "instead: red on the solution with a slip of the hand in it, for "
+                                 "each slip in each task's lines; hours for all labs")
+                        ->excludes(mistakes);
+    app.add_option(
+        "--only", options->only,
+        "the mistakes with this in their name, the mutants with it in their file or kind");
+    app.add_option("--every", options->every, "of the mutants one in so many")
+        ->needs(mutants)
+        ->check(CLI::PositiveNumber);
     app.add_option("-o,--output", options->output, "write the table as Markdown");
     app.footer(
         "Examples:\n  raylab prove 02\n  raylab prove -o docs/tasks.md\n"
         "  raylab prove --mistakes -o docs/mistakes.md\n"
         "  raylab prove 03 --mistakes --only scan\n"
+        "  raylab prove --mutants --every 40 -o docs/mutants.md\n"
         "Exit code 1: a test is green on a stub, or red on a right solution; a mistake passes, "
-        "or fewer\nthan nine in ten are called by their cause.");
-    return [options, tree] { return run_prove(tree, *options); };
+        "or fewer\nthan nine in ten are called by their cause; a mutant survives that "
+        "labs/*/equivalent.json does\nnot list.");
+    return [options, tree] {
+        if (!options->only.empty() && !options->mistakes && !options->mutants)
+            throw CourseError("--only is for --mistakes and --mutants");
+        return run_prove(tree, *options);
+    };
 }
 
 } // namespace raylab::app

@@ -1,5 +1,6 @@
 #include "app/course/prove_mistakes.h"
 
+#include "app/course/in_a_cell.h"
 #include "common/cli/progress.h"
 
 #include <fmt/format.h>
@@ -38,12 +39,6 @@ MistakeProof prove(ProofBuild& build, const LabSources& lab, const Mistake& mist
 
 const char* verdict(const MistakeProof& proof) {
     return !proof.killed ? "PASSES" : proof.named ? "found" : "found, OTHER CAUSE";
-}
-
-std::string in_a_cell(std::string text) {
-    for (std::size_t at = 0; (at = text.find_first_of("|\n", at)) != text.npos; at += 2)
-        text.replace(at, 1, text[at] == '|' ? "\\|" : "; ");
-    return text;
 }
 
 int count(const std::vector<MistakeProof>& proofs, bool MistakeProof::*what) {

@@ -36,8 +36,11 @@ const std::vector<std::string> given = {".clang-format",   ".clangd",
 // Of these folders: what works with solutions, by the names of the files without ending. A tree
 // without solutions does not compile it.
 const std::map<fs::path, std::vector<std::string>> for_solutions = {
-    {"app/course", {"proof_build", "prove", "prove_mistakes", "release"}},
-    {"grader/course", {"answers", "markers", "release", "stub_tree", "variation"}}};
+    {"app/course",
+     {"in_a_cell", "proof_build", "prove", "prove_mistakes", "prove_mutants", "release"}},
+    {"grader/course",
+     {"answers", "code_edits", "code_text", "markers", "mutant", "release", "stub_tree",
+      "variation"}}};
 
 // The project's own tests contain answers, and generated files are not sources.
 bool is_given(const fs::path& file) {

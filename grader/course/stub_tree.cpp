@@ -95,7 +95,7 @@ LabSources read_lab_sources(const LabSheet& sheet) {
 
 bool is_handed_out(const LabSheet& sheet, const fs::path& file) {
     const std::string first = file.begin()->string();
-    if (first == "variations" || first == "mistakes") return false;
+    if (first == "variations" || first == "mistakes" || first == "equivalent.json") return false;
     if (first != "tests") return true;
     return std::find(sheet.test_files.begin(), sheet.test_files.end(), file.string()) !=
            sheet.test_files.end();

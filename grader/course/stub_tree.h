@@ -20,8 +20,8 @@ struct LabSources {
 // section with its hints. Throws CourseError.
 LabSources read_lab_sources(const LabSheet& sheet);
 
-// Whether a file, given relative to the lab's folder, is handed out: all but variations, mistakes
-// and the tests that the sheet does not list.
+// Whether a file, given relative to the lab's folder, is handed out: all but variations, mistakes,
+// equivalent mutants and the tests that the sheet does not list.
 bool is_handed_out(const LabSheet& sheet, const std::filesystem::path& file);
 
 // Writes what is handed out of the lab below root/labs/FOLDER, the given tasks stubbed. `changes`
