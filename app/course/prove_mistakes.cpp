@@ -2,6 +2,7 @@
 
 #include "app/course/in_a_cell.h"
 #include "common/cli/progress.h"
+#include "grader/course/contains.h"
 
 #include <fmt/format.h>
 
@@ -11,13 +12,22 @@ namespace raylab::app {
 
 namespace {
 
+bool is_wrong(const CheckReport& report, const std::string& task) {
+    return std::any_of(report.results.begin(), report.results.end(), [&](const TaskResult& result) {
+        return result.task.id == task && result.verdict == Verdict::wrong;
+    });
+}
+
 MistakeProof prove(ProofBuild& build, const LabSources& lab, const Mistake& mistake) {
-    // Its task, and those that it needs: what is said of a task begins with them.
-    std::vector<std::string> tasks = lab.sheet.find(mistake.task)->needs;
-    tasks.push_back(mistake.task);
+    // Its task, and those that it needs, in the lab's order as a student checks them: what is said
+    // of a task begins with them.
+    const std::vector<std::string>& needs = lab.sheet.find(mistake.task)->needs;
+    std::vector<std::string> tasks = lab.sheet.task_ids();
+    std::erase_if(
+        tasks, [&](const std::string& id) { return id != mistake.task && !contains(needs, id); });
     CheckReport report = build.check(lab, {}, &mistake.change, tasks);
     // Where its task does not see it, does another?
-    if (report.compiler_errors.empty() && report.results.back().verdict != Verdict::wrong)
+    if (report.compiler_errors.empty() && !is_wrong(report, mistake.task))
         report = build.check(lab, {}, &mistake.change);
     if (!report.compiler_errors.empty())
         throw CourseError(fmt::format("{}: this mistake does not compile:\n{}",

@@ -1,8 +1,5 @@
-// Tasks 2.1 and 2.5: the loop's throughput and Russian roulette, called without any kernel.
-#include "common/task/facts.h"
-#include "common/task/small_scene.h"
-#include "labs/02_iterative/path.h"
-#include "labs/02_iterative/whitted.h"
+// Task 2.1: the loop and its throughput, called without any kernel.
+#include "labs/02_iterative/tests/one_path.h"
 
 namespace raylab::lab02 {
 
@@ -10,32 +7,70 @@ namespace {
 
 using namespace task;
 
-constexpr Features tested = feature::sphere | feature::quad | feature::plane | feature::diffuse |
-                            feature::mirror | feature::glass | feature::area_light |
-                            feature::point_light | feature::environment;
-
-// One sample of the radiance along the ray; sample k has numbers of its own.
-Vec3 trace(const Scene& scene, const Ray& ray, std::uint32_t k = 0, PathRecord* result = nullptr) {
-    PathRecord record;
-    const Sampler sampler = {SamplerKind::independent, 1, 0, k};
-    const Vec3 radiance =
-        scene.render.integrator == Integrator::path
-            ? trace_path<tested>(view(scene), scene.render, sampler, ray, record)
-            : trace_whitted<tested>(view(scene), scene.render, sampler, ray, record);
-    if (result) *result = record;
-    return radiance;
+// From outside to a tilted floor through (0.3, 0.7, -0.2), whose points are off it by rounding.
+Ray to_tilted_floor(int i) {
+    const Vec3 n = normalize(Vec3(0.36f, 0.8f, 0.48f));
+    const Vec3 aside(0.013f * i - 0.4f, 0.4f - 0.007f * i, 0.011f * i - 0.3f);
+    return {Vec3(0.3f, 0.7f, -0.2f) + 3.0f * n, normalize(aside - 3.0f * n)};
 }
 
-std::string settings(int depth, const std::string& strategy) {
-    return fmt::format(R"("max_depth": {}, "spp": 1, "direct_light": "{}", "roulette": false)",
-                       depth, strategy);
+Scene tilted_floor(const std::string& more, const std::string& light, int depth) {
+    return small_scene({R"("floor": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]},
+            "lamp": {"kind": "diffuse", "reflectance": [0, 0, 0], "emission": [3, 3, 3]})",
+                        R"({"kind": "plane", "point": [0.3, 0.7, -0.2], "normal": [0.36, 0.8, 0.48],
+             "material": "floor"})" +
+                            more,
+                        light, settings(depth, "bsdf")});
 }
 
-std::string whitted(int depth) {
-    return fmt::format(R"("integrator": "whitted", "max_depth": {}, "spp": 1)", depth);
+// Of 64 paths from the tilted floor: those of two rays, and those that say that they escaped.
+struct FloorPaths {
+    int of_two_rays = 0, escaped = 0;
+};
+
+FloorPaths from_tilted_floor(const Scene& scene) {
+    FloorPaths paths;
+    for (int i = 0; i < 64; ++i) {
+        PathRecord record;
+        trace(scene, to_tilted_floor(i), i, &record);
+        paths.of_two_rays += record.length == 2;
+        paths.escaped += record.end == PathEnd::escaped;
+    }
+    return paths;
 }
 
-const std::string white_sky = R"({"kind": "environment", "radiance": [1, 1, 1]})";
+TEST(Task2_1, PathsLeaveAFloorUpwards) {
+    const FloorPaths to_lamp = from_tilted_floor(tilted_floor(
+        R"(, {"kind": "quad", "material": "lamp", "vertices": [[-64.434, 3.059, 54.836],
+              [44.997, -46.185, 54.836], [68.634, 6.341, -50.436], [-40.797, 55.585, -50.436]]})",
+        "", 2));
+    if (!expect(to_lamp.escaped < 64,
+                "of 64 paths from a floor below a large lamp all escape; the likely cause: wo is "
+                "-ray.d, the way back, and light is scattered on its side"))
+        return;
+    const FloorPaths to_sky =
+        from_tilted_floor(tilted_floor("", R"({"kind": "environment", "radiance": [1, 1, 1]})", 6));
+    if (expect_equal("of 64 paths from a floor to the sky those of two rays", to_sky.of_two_rays,
+                     64,
+                     to_sky.of_two_rays > 0 ? "the next ray meets its own surface again: "
+                                              "spawn_ray() starts it off the surface"
+                     : to_sky.escaped > 0   ? "where nothing is hit the path ends"
+                                            : "the ray must advance: ray = spawn_ray(...)"))
+        expect_equal("of 64 paths that escape those that say so", to_sky.escaped, 64,
+                     "record.end is set before each way out");
+}
+
+// Where the sum of the furnace is not what it should be, but was for fewer surfaces.
+std::string furnace_cause(int depth, Vec3 radiance) {
+    if (depth == 1)
+        return radiance.x < 1
+                   ? "the first surface's emission is added times a throughput of one"
+                   : "a path that runs out of depth adds nothing more: its throughput is no light";
+    if (depth == 2)
+        return "throughput *= weight once a surface, in each channel (the weight has the cosine "
+               "already), and radiance += throughput * Le";
+    return "the throughput is the product of all weights so far, and radiance += throughput * Le";
+}
 
 // In a closed sphere that glows with e and reflects a, d surfaces give e (1 - a^d) / (1 - a),
 // whichever way a path takes.
@@ -48,16 +83,13 @@ TEST(Task2_1, AFurnaceIsAGeometricSeries) {
         PathRecord record;
         const Vec3 radiance = trace(scene, {Vec3(0.2f, 0, 0), Vec3(0, 1, 0)}, 5, &record);
         const auto series = [&](double a) { return float((1 - std::pow(a, depth)) / (1 - a)); };
-        if (!expect_vector(
-                fmt::format("radiance in a furnace of albedo (0.5, 0.25, 0.75) at max_depth {}",
-                            depth),
-                radiance, Vec3(series(0.5), series(0.25), series(0.75)), 1e-4,
-                depth == 1
-                    ? "the first surface's emission is added times a throughput of one"
-                    : "throughput *= weight once a surface, and radiance += throughput * Le") ||
-            !expect_equal("rays counted", record.length, depth,
+        const std::string at = fmt::format(" at max_depth {}", depth);
+        if (!expect_equal("rays counted in a furnace" + at, record.length, depth,
                           "the loop turns once for each of max_depth surfaces, and calls "
-                          "record_hit() each time"))
+                          "record_hit() each time") ||
+            !expect_vector("radiance in a furnace of albedo (0.5, 0.25, 0.75)" + at, radiance,
+                           Vec3(series(0.5), series(0.25), series(0.75)), 1e-4,
+                           furnace_cause(depth, radiance)))
             return;
     }
 }
@@ -72,12 +104,59 @@ TEST(Task2_1, ThePathGoesWhereMirrorsSendIt) {
     expect_vector("sky", trace(scene, {Vec3(2, 1, 0), Vec3(0.6f, 0.8f, 0)}), Vec3(1, 2, 3), 1e-6,
                   "an escaped ray adds throughput * sky, and the path ends");
     PathRecord record;
-    expect_vector("sky seen by two mirrors",
-                  trace(scene, {Vec3(2, 1, 0), Vec3(-0.6f, -0.8f, 0)}, 0, &record),
-                  Vec3(0.5f, 0.25f, 0), 1e-5,
-                  "both mirrors dim the throughput, and no light sample could have found their "
-                  "directions: bsdf_pdf is delta_pdf again");
+    const Vec3 twice = trace(scene, {Vec3(2, 1, 0), Vec3(-0.6f, -0.8f, 0)}, 0, &record);
+    expect_vector("sky of (1, 2, 3) seen by two mirrors", twice, Vec3(0.5f, 0.25f, 0), 1e-5,
+                  twice.x > 0.9f ? "both mirrors dim the throughput, and an escaped ray adds "
+                                   "throughput * sky"
+                                 : "no light sample could have found a mirror's direction: "
+                                   "bsdf_pdf is delta_pdf again");
     expect_equal("rays counted", record.length, 3, "the ray must advance: ray = spawn_ray(...)");
+}
+
+// A cosine-weighted direction from a point of a sphere leads to a point that is uniform on it, and
+// the next from there is an isotropic chord, which crosses a flat lamp of area A inside with
+// probability A / (2 pi) (Crofton's formula, radius 1). The first surface lies in the lamp's plane
+// and sees it edge on.
+TEST(Task2_1, EachBounceHasNumbersOfItsOwn) {
+    const Scene scene =
+        small_scene({R"("white": {"kind": "diffuse", "reflectance": [1, 1, 1]},
+            "lamp": {"kind": "diffuse", "reflectance": [0, 0, 0], "emission": [1, 1, 1]})",
+                     R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white"},
+            {"kind": "quad", "material": "lamp", "vertices":
+             [[-0.7, 0, 0.15], [0.5, 0, 0.15], [0.5, 0, 0.65], [-0.7, 0, 0.65]]})",
+                     "", settings(3, "bsdf")});
+    Samples samples;
+    for (int k = 0; k < 8000; ++k)
+        samples.add(trace(scene, {Vec3(0.2f, 0, 0.1f), Vec3(1, 0, 0)}, k).x);
+    expect_near(fmt::format("mean light of a flat lamp of area 0.6 in a white sphere, after two "
+                            "bounces (standard error {:.2g})",
+                            samples.error()),
+                samples.mean(), 0.6 / (2 * M_PI), Samples::allowed * samples.error(),
+                "each bounce has numbers of its own: sampler.get_bounce(bounce)");
+}
+
+// A floor under a point light, seen directly and in a mirror of reflectance 1/2.
+TEST(Task2_1, ShadowRaysCountTimesTheThroughput) {
+    const auto lit_floor = [](int depth) {
+        return small_scene(
+            {R"("floor": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]},
+                "half": {"kind": "mirror", "reflectance": [0.5, 0.5, 0.5]})",
+             R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "floor"},
+                {"kind": "plane", "point": [0, 3, 0], "normal": [0, -1, 0], "material": "half"})",
+             R"({"kind": "point", "position": [0, 2, 0], "intensity": [10, 10, 10]})",
+             settings(depth, "mis")});
+    };
+    const double floor = 0.5 / M_PI * 10 / 4;
+    const Ray down = {Vec3(0, 0.5f, 0), Vec3(0, -1, 0)},
+              up = {Vec3(0.001f, 2.5f, 0), Vec3(0, 1, 0)};
+    expect_near("radiance of a floor under a light at max_depth 1", trace(lit_floor(1), down).x, 0,
+                0, "the last surface only emits: what a shadow ray finds lies on one surface more");
+    if (expect_near("radiance of a floor under a light at max_depth 2", trace(lit_floor(2), down).x,
+                    floor, 1e-4,
+                    "radiance += throughput * direct_light() before the surface's weight is "
+                    "multiplied to the throughput"))
+        expect_near("the same floor in a mirror of reflectance 0.5", trace(lit_floor(3), up).x,
+                    floor / 2, 2e-4, "radiance += throughput * direct_light()");
 }
 
 // A square lamp of side 2 at height 1, seen from under its middle: radiance = albedo Le F with
@@ -106,81 +185,6 @@ TEST(Task2_1, AllStrategiesAgreeOnTheLightOfALamp) {
                     "light counted twice or not at all: keep bsdf_pdf, the density of the ray's "
                     "direction, for the next turn's emitted_light()");
     }
-}
-
-TEST(Task2_1, WhittedsRaysAreATree) {
-    const Scene mirrors = small_scene(
-        {R"("a": {"kind": "mirror", "reflectance": [0.5, 0.5, 0.5], "emission": [1, 1, 1]})",
-         R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "a"})", "",
-         whitted(5)});
-    expect_near("radiance in a glowing mirror sphere at max_depth 5",
-                trace(mirrors, {Vec3(0), Vec3(0, 0, 1)}).x, 1.9375, 1e-5,
-                "each surface adds throughput * emission, and max_depth counts surfaces");
-
-    // Clear glass under an even sky is invisible; two rays leave each of its surfaces.
-    const Scene glass =
-        small_scene({R"("glass": {"kind": "glass", "ior": 1.5})",
-                     R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "material": "glass"})",
-                     white_sky, whitted(14)});
-    PathRecord record;
-    const Vec3 radiance = trace(glass, {Vec3(0.5f, 0, 3), Vec3(0, 0, -1)}, 0, &record);
-    expect_near("even sky of radiance 1 through a glass sphere", radiance.x, 1, 1e-3,
-                "both rays go on the stack, each with throughput * its weight");
-    // Inside, 13 surfaces in a row send one ray out each; the camera's ray makes one more outside.
-    expect_equal("rays of the tree at max_depth 14", record.length, 27,
-                 "a ray of depth + 1 == max_depth sends no others, and record_hit() counts each");
-}
-
-TEST(Task2_1, WhittedsShadowRaysReachEveryLight) {
-    const Scene scene = small_scene(
-        {R"("floor": {"kind": "diffuse", "reflectance": [0.5, 0.5, 0.5]})",
-         R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "floor"})",
-         R"({"kind": "point", "position": [0, 2, 0], "intensity": [10, 10, 10]},
-            {"kind": "point", "position": [0, 1, 0], "intensity": [3, 3, 3]})",
-         whitted(4)});
-    expect_near("radiance of a floor under two lights",
-                trace(scene, {Vec3(0, 0.5f, 0), Vec3(0, -1, 0)}).x, 0.5 / M_PI * (10 / 4.0 + 3),
-                1e-4, "a diffuse surface adds throughput * the shadow rays to all lights");
-}
-
-// Whatever the probability of survival is, the mean of the new throughput over u is the old one.
-TEST(Task2_5, RouletteLeavesTheMean) {
-    constexpr int n = 1 << 14;
-    for (const Vec3 throughput :
-         {Vec3(0.5f), Vec3(0.1f, 0.3f, 0.02f), Vec3(0.9f, 0.2f, 0.6f), Vec3(2, 1, 0.5f)}) {
-        double sum[3] = {};
-        for (int i = 0; i < n; ++i) {
-            Vec3 left = throughput;
-            if (!survives_roulette(left, 6, (i + 0.5f) / n)) continue;
-            for (int c = 0; c < 3; ++c) sum[c] += left[c] / n;
-        }
-        if (!expect_vector("mean throughput after roulette", Vec3(sum[0], sum[1], sum[2]),
-                           throughput, 2e-3 * max_component(throughput),
-                           "a survivor counts 1 / q, q the probability to survive; a path ends if "
-                           "u >= q"))
-            return;
-    }
-}
-
-TEST(Task2_5, DimPathsEnd) {
-    constexpr int n = 1000;
-    int ended = 0;
-    for (int i = 0; i < n; ++i) {
-        Vec3 throughput(0.05f);
-        ended += !survives_roulette(throughput, 10, (i + 0.5f) / n);
-    }
-    expect(ended >= n / 10,
-           fmt::format("of 1000 paths with throughput 0.05 at the eleventh surface {} end; the "
-                       "likely cause: roulette never says no",
-                       ended));
-}
-
-TEST(Task2_5, ABlackPathLeavesNoNaN) {
-    Vec3 throughput(0);
-    const bool goes_on = survives_roulette(throughput, 6, 0);
-    expect(!goes_on || is_finite(throughput),
-           "a throughput of 0 becomes NaN; the likely cause: division by q = 0, where u >= q must "
-           "have ended the path");
 }
 
 } // namespace
