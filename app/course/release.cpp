@@ -2,6 +2,7 @@
 // appears.
 #include "grader/course/release.h"
 #include "app/course/commands.h"
+#include "common/cli/folder_lock.h"
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
 #include "grader/course/answers.h"
@@ -9,11 +10,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace raylab::app {
 
@@ -27,29 +23,6 @@ struct ReleaseOptions {
     std::string folder;
     std::vector<std::string> labs;
     bool no_build = false, give_away = false;
-};
-
-// Only one release at a time may write to a folder, because each begins by removing what an
-// interrupted one left there.
-class FolderLock {
-  public:
-    explicit FolderLock(const std::string& folder) {
-        fs::create_directories(folder);
-        handle_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) == 0) return;
-        const int error = errno;
-        if (handle_ >= 0) close(handle_);
-        if (error != EWOULDBLOCK) throw std::system_error(error, std::generic_category(), folder);
-        throw CourseError(fmt::format("another release is writing to '{}': wait for its end, or "
-                                      "name another folder with -o",
-                                      folder));
-    }
-    ~FolderLock() { close(handle_); }
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-  private:
-    int handle_;
 };
 
 // Runs the tree's own ./raylab; no file of this build takes part. If ccache is there, it reuses
@@ -176,7 +149,12 @@ ExitCode run_release(const Tree& tree, const ReleaseOptions& options) {
             fmt::format("{} has no lab: nothing was released", tree.root.string()));
     std::vector<LabSheet> sheets; // all are read before the first is released
     for (const std::string& lab : labs) sheets.push_back(find_lab(tree.root, lab));
+    // Each release begins by removing what an interrupted one left in the folder.
     const FolderLock lock(options.folder);
+    if (!lock.held())
+        throw CourseError(fmt::format("another release is writing to '{}': wait for its end, or "
+                                      "name another folder with -o",
+                                      options.folder));
     std::vector<Part> parts;
     for (const LabSheet& sheet : sheets) parts.push_back(write_part(sheet, options));
     if (!options.give_away) expect_nothing_given_away(parts);

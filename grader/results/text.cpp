@@ -100,4 +100,16 @@ std::string escape_github(std::string_view text, bool is_property) {
     return escaped;
 }
 
+std::string csv_field(std::string_view text) {
+    const std::string clean = clean_utf8(text);
+    std::string quoted = "\"";
+    if (!clean.empty() && std::string_view("=+-@\t").find(clean[0]) != std::string_view::npos)
+        quoted += "'";
+    for (const char c : clean) {
+        if (c == '"') quoted += '"';
+        quoted += c == '\n' ? ' ' : c;
+    }
+    return quoted + "\"";
+}
+
 } // namespace raylab

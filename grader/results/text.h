@@ -21,4 +21,8 @@ std::string escape_xml(std::string_view text);
 // The message of an annotation in GitHub's log, or one of its properties: file, title.
 std::string escape_github(std::string_view text, bool is_property);
 
+// clean_utf8() as a field of CSV, in quotes and on one line (RFC 4180). A spreadsheet takes a text
+// that begins with one of "=+-@" for a formula, so such a text gets an apostrophe before it.
+std::string csv_field(std::string_view text);
+
 } // namespace raylab

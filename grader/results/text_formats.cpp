@@ -32,18 +32,6 @@ std::string test_case(const Marks& marks, const Mark& mark) {
                               escape_xml(shortened(explanation(mark), most_of_a_case)));
 }
 
-// A spreadsheet takes a text that begins with one of these for a formula.
-std::string csv_field(const std::string& text) {
-    std::string quoted = "\"";
-    if (!text.empty() && std::string_view("=+-@\t").find(text[0]) != std::string_view::npos)
-        quoted += "'";
-    for (const char c : clean_utf8(text)) {
-        if (c == '"') quoted += '"';
-        quoted += c == '\n' ? ' ' : c;
-    }
-    return quoted + "\"";
-}
-
 // In a cell of a table; Markdown and HTML in it are text.
 std::string cell(const std::string& text) {
     std::string result;

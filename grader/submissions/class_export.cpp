@@ -136,7 +136,7 @@ std::optional<ClassExport> moodle(const std::vector<Item>& items) {
 }
 
 // Canvas calls the second upload of path.h path-1.h: the latest counts.
-void keep_latest(std::vector<Item>& items) {
+void keep_latest(std::vector<Item>& items, int& tries) {
     static const std::regex numbered(R"((.+)-([0-9]{1,4})((\.[^.]+)+))");
     std::map<std::string, std::pair<int, Item>> latest;
     for (const Item& item : items) {
@@ -144,6 +144,7 @@ void keep_latest(std::vector<Item>& items) {
         const bool again = std::regex_match(item.name, match, numbered);
         const std::string name = again ? match[1].str() + match[3].str() : item.name;
         const int number = again ? std::stoi(match[2]) : 0;
+        tries = std::max(tries, number + 1);
         const auto at = latest.find(name);
         if (at != latest.end() && at->second.first > number) continue;
         Item named = item;
@@ -174,7 +175,7 @@ std::optional<ClassExport> canvas(const std::vector<Item>& items) {
     }
     if (matched == 0 || matched < all.unused.size()) return std::nullopt;
     all.entries = entries.take();
-    for (ClassEntry& entry : all.entries) keep_latest(entry.items);
+    for (ClassEntry& entry : all.entries) keep_latest(entry.items, entry.tries);
     return all;
 }
 

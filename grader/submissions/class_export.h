@@ -22,6 +22,7 @@ struct ClassEntry {
     std::string id;                // fit for the name of a folder; no other entry has it
     std::vector<Student> students; // several: they work in a group
     bool late = false;             // the platform says so
+    int tries = 0;                 // how often something was sent; 0: the platform does not say
     std::vector<Item> items;       // named as the student named them
 };
 

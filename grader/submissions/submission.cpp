@@ -16,19 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Where a submission is put together before it gets its name; left empty-handed by a kill, it is
-// removed by the next attempt.
+// A folder that is empty at first, and gone in the end. What a kill leaves, the next one removes.
 class Workplace {
   public:
-    explicit Workplace(const fs::path& into)
-        : folder_(into.parent_path() / ("." + into.filename().string() + ".part")) {
-        if (fs::exists(fs::symlink_status(into)))
-            throw FileError(fmt::format("'{}' is there already: remove it, or name another folder",
-                                        into.string()),
-                            ExitCode::bad_usage);
-        fs::remove_all(folder_);
-        fs::create_directories(files());
-    }
+    explicit Workplace(const fs::path& folder) : folder_(folder) { fs::remove_all(folder_); }
     ~Workplace() {
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
@@ -36,10 +27,7 @@ class Workplace {
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
 
-    fs::path files() const { return folder_ / "files"; }
-    fs::path archive(std::size_t number) const {
-        return folder_ / fmt::format("archive{}", number);
-    }
+    fs::path operator/(const std::string& name) const { return folder_ / name; }
 
   private:
     fs::path folder_;
@@ -67,7 +55,7 @@ Picked pick_from_archives(const std::vector<Item>& items, const std::string& who
                                               "bytes; send only the lab's files",
                                               item.name, limits.taken));
         const Picked picked =
-            pick_files(items_of_archive(item, sheet, work.archive(i), limits), sheet);
+            pick_files(items_of_archive(item, sheet, work / std::to_string(i), limits), sheet);
         if (picked.files.empty()) continue;
         if (!found.empty())
             throw SubmissionError(
@@ -92,31 +80,49 @@ Picked pick_from_archives(const std::vector<Item>& items, const std::string& who
                                       sheet.number, files));
 }
 
+// Where a submission is put together before it gets its name.
+fs::path part_of(const fs::path& into) {
+    return into.parent_path() / ("." + into.filename().string() + ".part");
+}
+
 } // namespace
 
-Submission unpack_items(const std::vector<Item>& items, const std::string& who,
-                        const LabSheet& sheet, const fs::path& into, const UnpackLimits& limits) {
-    const Workplace work(into);
+SentFiles read_items(const std::vector<Item>& items, const std::string& who, const LabSheet& sheet,
+                     const fs::path& scratch, const UnpackLimits& limits) {
+    const Workplace work(scratch);
     Picked picked = pick_files(items, sheet);
     if (picked.files.empty()) picked = pick_from_archives(items, who, sheet, work, limits);
     if (picked.files.empty()) nothing_found(items, who, sheet);
-    Submission submission;
-    submission.folder = into;
-    submission.missing = picked.missing;
-    submission.ignored = picked.ignored;
+    SentFiles sent;
+    sent.submission.missing = picked.missing;
+    sent.submission.ignored = picked.ignored;
     Sha256 hash;
     for (const auto& [file, item] : picked.files) {
         const std::string text =
             source_text(read_sent_file(item.path, item.name, limits.source), item.name);
-        fs::create_directories((work.files() / file).parent_path());
-        write_file((work.files() / file).string(), text);
         hash.add(fmt::format("{} {}\n", text.size(), file));
         hash.add(text);
-        submission.files.push_back(file);
+        sent.submission.files.push_back(file);
+        sent.texts.push_back(text);
     }
-    submission.hash = hash.hex();
-    fs::rename(work.files(), into);
-    return submission;
+    sent.submission.hash = hash.hex();
+    return sent;
+}
+
+Submission write_submission(SentFiles sent, const fs::path& into) {
+    if (fs::exists(fs::symlink_status(into)))
+        throw FileError(
+            fmt::format("'{}' is there already: remove it, or name another folder", into.string()),
+            ExitCode::bad_usage);
+    const Workplace work(part_of(into));
+    for (std::size_t i = 0; i < sent.texts.size(); ++i) {
+        const fs::path file = work / "files" / sent.submission.files[i];
+        fs::create_directories(file.parent_path());
+        write_file(file.string(), sent.texts[i]);
+    }
+    fs::rename(work / "files", into);
+    sent.submission.folder = into;
+    return sent.submission;
 }
 
 Submission unpack_submission(const fs::path& from, const LabSheet& sheet, const fs::path& into,
@@ -124,8 +130,11 @@ Submission unpack_submission(const fs::path& from, const LabSheet& sheet, const 
     if (!fs::exists(from))
         throw SubmissionError(
             fmt::format("there is no submission '{}': check the name", from.string()));
-    if (fs::is_directory(from))
-        return unpack_items(items_below(from, limits), from.string(), sheet, into, limits);
+    const auto unpack = [&](const std::vector<Item>& items) {
+        return write_submission(read_items(items, from.string(), sheet, part_of(into), limits),
+                                into);
+    };
+    if (fs::is_directory(from)) return unpack(items_below(from, limits));
     if (!fs::is_regular_file(from))
         throw SubmissionError(
             fmt::format("the submission '{}' is neither a folder nor a file: name "
@@ -135,7 +144,7 @@ Submission unpack_submission(const fs::path& from, const LabSheet& sheet, const 
     item.name = from.filename().string();
     item.path = from;
     item.size = fs::file_size(from);
-    return unpack_items({item}, from.string(), sheet, into, limits);
+    return unpack({item});
 }
 
 } // namespace raylab

@@ -23,9 +23,14 @@ struct Submission {
 Submission unpack_submission(const std::filesystem::path& from, const LabSheet& sheet,
                              const std::filesystem::path& into, const UnpackLimits& limits = {});
 
-// The same of files that were collected already; `who` names the submission in errors.
-Submission unpack_items(const std::vector<Item>& items, const std::string& who,
-                        const LabSheet& sheet, const std::filesystem::path& into,
-                        const UnpackLimits& limits = {});
+// The same in two steps, of files that were collected already: first the texts, then the folder.
+// `who` names the submission in errors; `scratch` is a folder's name that is free for a while.
+struct SentFiles {
+    Submission submission;          // its folder is empty
+    std::vector<std::string> texts; // of submission.files
+};
+SentFiles read_items(const std::vector<Item>& items, const std::string& who, const LabSheet& sheet,
+                     const std::filesystem::path& scratch, const UnpackLimits& limits = {});
+Submission write_submission(SentFiles sent, const std::filesystem::path& into);
 
 } // namespace raylab

@@ -32,7 +32,7 @@ expect() {
 expect Darwin "brew install cmake pkgconf ccache glm googletest nlohmann-json cli11 fmt openexr jpeg-turbo libspng boost"
 expect Linux "apt-get install -y -q --no-install-recommends g++ cmake pkg-config ccache libglm-dev libglfw3-dev \
 libglew-dev libstb-dev libgtest-dev libgmock-dev nlohmann-json3-dev libcli11-dev libfmt-dev libtinyobjloader-dev \
-libtinygltf-dev libopenexr-dev libturbojpeg0-dev libspng-dev libboost-dev libboost-context-dev libdw-dev bubblewrap libseccomp-dev libarchive-dev"
+libtinygltf-dev libopenexr-dev libturbojpeg0-dev libspng-dev libboost-dev libboost-context-dev libdw-dev bubblewrap libseccomp-dev libarchive-dev libsqlite3-dev"
 
 # A line is a package's two names.
 if grep -nv -e '^#' -e '^[a-z0-9+.-][a-z0-9+.-]*  *[a-z0-9-][a-z0-9-]* *$' <(sed -e 's/\(.\) *#.*/\1/' "$root/packages.txt"); then

@@ -30,6 +30,13 @@ TEST(Text, IsCutBetweenCharacters) {
     }
 }
 
+TEST(Text, IsOneFieldOfCsvAndNoFormula) {
+    EXPECT_EQ(csv_field("a, \"b\"\nc"), "\"a, \"\"b\"\" c\"");
+    EXPECT_EQ(csv_field("=1+1"), "\"'=1+1\"");
+    EXPECT_EQ(csv_field("\r=1+1"), "\"'=1+1\""); // what is left out does not hide it
+    EXPECT_EQ(csv_field("a=1"), "\"a=1\"");
+}
+
 TEST(Text, CannotLeaveItsPlaceInXml) {
     EXPECT_EQ(escape_xml("a<b>&\"\n"), "a&lt;b&gt;&amp;&quot;&#10;");
     EXPECT_EQ(escape_xml("]]>"), "]]&gt;");

@@ -105,6 +105,8 @@ TEST(Canvas, NamesHaveNumbersAndLateness) {
     EXPECT_EQ(all.layout, "Canvas");
     EXPECT_THAT(told(all), ElementsAre("21(21=lovelaceada): my-work.zip, path.h",
                                        "22(22=obrien)late: work.tar.gz"));
+    EXPECT_EQ(all.entries[0].tries, 3);
+    EXPECT_EQ(all.entries[1].tries, 1);
 }
 
 TEST(Classroom50, RepositoriesEndInTheLogin) {
@@ -158,8 +160,9 @@ TEST(ReadClass, FromAFolderAndFromAnArchiveIsTheSame) {
     EXPECT_EQ(told(plain), told(packed));
     for (const ClassExport& all : {plain, packed}) {
         fs::remove_all(folder / "into");
-        const Submission one =
-            unpack_items(all.entries[0].items, "submission_7", fake_sheet(), folder / "into");
+        const Submission one = write_submission(
+            read_items(all.entries[0].items, "submission_7", fake_sheet(), folder / "scratch"),
+            folder / "into");
         EXPECT_THAT(one.ignored, ElementsAre("big.exr"));
         EXPECT_EQ(read_file((folder / "into/path.h").string()), "text");
     }
@@ -177,10 +180,11 @@ TEST(ReadClass, ACanvasArchiveKeepsWhatItsNamesEndIn) {
     const ClassExport all =
         read_class(folder / "submissions.zip", fake_sheet(), folder / "scratch");
     ASSERT_EQ(all.entries.size(), 2u);
-    unpack_items(all.entries[0].items, "a", fake_sheet(), folder / "a");
-    unpack_items(all.entries[1].items, "b", fake_sheet(), folder / "b");
-    EXPECT_EQ(read_file((folder / "a/path.h").string()), "new");
-    EXPECT_EQ(read_file((folder / "b/renderer.cu").string()), "inner");
+    const auto text = [&](std::size_t i) {
+        return read_items(all.entries[i].items, "x", fake_sheet(), folder / "s").texts.at(0);
+    };
+    EXPECT_EQ(text(0), "new");
+    EXPECT_EQ(text(1), "inner");
 }
 
 TEST(ReadClass, NothingToReadIsSaid) {
