@@ -76,7 +76,7 @@ std::string reasons(const JournalRow& row, const Standing& standing) {
             items += fmt::format("<li>{}: {}</li>", what,
                                  escaped(fmt::format("{}", fmt::join(*files, ", "))));
     if (items.empty()) return escaped(standing.reason);
-    const std::string first = standing.reason.empty() ? "details" : standing.reason;
+    const std::string first = standing.reason.empty() ? "about its files" : standing.reason;
     return fmt::format("<details><summary>{}</summary><ul>{}</ul></details>", escaped(first),
                        items);
 }
@@ -200,7 +200,7 @@ std::string class_page(const Journal& journal, const LabSheet& sheet, const fs::
     const std::string title = fmt::format("Lab {}: {}", sheet.number, sheet.title);
     const std::string body = fmt::format(
         "<header><h1>{0}</h1>\n<p class=\"summary\">{1}</p></header>\n{2}"
-        "<h2>Tasks</h2><div class=\"wide\"><table class=\"items\"><thead><tr><th "
+        "<h2>Tasks</h2><div class=\"wide\"><table id=\"items\"><thead><tr><th "
         "scope=\"col\">Task</th>"
         "<th scope=\"col\" class=\"number\">Passed</th><th scope=\"col\">Share</th><th "
         "scope=\"col\">Others</th>"

@@ -42,10 +42,14 @@ const std::map<fs::path, std::vector<std::string>> for_solutions = {
      {"answers", "code_edits", "code_text", "markers", "mutant", "release", "stub_tree",
       "variation"}}};
 
+// What only instructors need.
+const std::vector<fs::path> for_instructors = {"app/class", "grader/class"};
+
 // The project's own tests contain answers, and generated files are not sources.
 bool is_given(const fs::path& file) {
     for (const fs::path& part : file)
         if (part == "tests" || part == "fuzz" || part == "__pycache__") return false;
+    if (contains(for_instructors, file.parent_path())) return false;
     const auto folder = for_solutions.find(file.parent_path());
     return folder == for_solutions.end() || !contains(folder->second, file.stem().string());
 }

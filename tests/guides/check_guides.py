@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds every Markdown page to the tree that it stands in, and to each tree that students get.
 
-    check_guides.py TREE --programs RAYLAB RAYLAB_CHECK RAYLAB_RUN
+    check_guides.py TREE --programs RAYLAB RAYLAB_CHECK RAYLAB_RUN [MORE...]
 
 Commands exist with their options, labs, tasks, scenes and files; links lead to files and headings; API sheets name
 what the headers have. RAYLAB_CHECK writes the students' trees into a temporary folder. Ends with 1 and a list if not.
@@ -28,7 +28,7 @@ def problems(tree, released, commands):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("tree", type=pathlib.Path)
-    parser.add_argument("--programs", nargs=3, required=True)
+    parser.add_argument("--programs", nargs="+", required=True)
     options = parser.parse_args()
     tree, commands = options.tree.resolve(), Commands(options.programs)
     found = list(problems(tree, False, commands))

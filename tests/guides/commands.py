@@ -36,7 +36,7 @@ class Help:
 
 
 class Commands:
-    """programs: the built raylab, raylab-check and raylab-run, which know their commands."""
+    """programs: the built raylab, raylab-check, raylab-run and others, which know their commands."""
 
     def __init__(self, programs):
         self.programs = programs

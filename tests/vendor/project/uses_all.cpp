@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json_fwd.hpp>
 #include <spng.h>
+#include <sqlite3.h>
 #include <stb/stb_image.h>
 #include <turbojpeg.h>
 
@@ -19,7 +20,8 @@ int main() {
     const bool works = header.dataWindow().max.y == 2 && fmt::format("{}", glm::dot(v, v)) == "5" &&
                        tjGetErrorStr() != nullptr && spng_version_string() != nullptr &&
                        glewGetErrorString(GLEW_NO_ERROR) != nullptr &&
-                       glfwGetVersionString() != nullptr && stbi_failure_reason() == nullptr &&
+                       glfwGetVersionString() != nullptr && sqlite3_libversion_number() != 0 &&
+                       stbi_failure_reason() == nullptr &&
                        boost::math::cdf(boost::math::students_t(3), 0.0) == 0.5 &&
                        boost::context::detail::make_fcontext != nullptr && testing::Matches(5)(5);
     return works ? 0 : 1;
