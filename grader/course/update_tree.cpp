@@ -13,7 +13,7 @@ namespace {
 
 constexpr double merge_limit_seconds = 30;
 
-std::set<std::string> files_below(const fs::path& folder) {
+std::set<std::string> names_below(const fs::path& folder) {
     std::set<std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(folder).string());
@@ -40,8 +40,8 @@ std::optional<std::string> both_changes(const fs::path& base, const fs::path& me
 
 std::vector<FileUpdate> plan_update(const fs::path& base, const fs::path& mended,
                                     const fs::path& own, const std::set<std::string>& task_files) {
-    std::set<std::string> files = files_below(base);
-    files.merge(files_below(mended));
+    std::set<std::string> files = names_below(base);
+    files.merge(names_below(mended));
     std::vector<FileUpdate> updates;
     for (const std::string& file : files) {
         const auto before = text_of(base / file), after = text_of(mended / file),
