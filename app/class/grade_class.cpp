@@ -10,6 +10,7 @@
 #include "grader/class/differences.h"
 #include "grader/class/item_analysis.h"
 #include "grader/class/run_class.h"
+#include "grader/class/similarity.h"
 #include "grader/course/course_error.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ClassOptions {
-    std::string lab, submissions, folder, only, grader;
+    std::string lab, submissions, folder, only, grader, similarity;
     int jobs = 1;
     double limit = 1800;
     bool stage = false, differences = false, apply = false, drop = false, json = false;
@@ -96,7 +97,8 @@ bool prepare(Journal& journal, const ClassOptions& options) {
     const std::optional<MarkVerdict> only = asked_verdict(options.only);
     if (options.drop) journal.drop_stage();
     if (options.apply) journal.apply_stage();
-    if (options.drop || options.apply || options.differences) return false;
+    if (options.drop || options.apply || options.differences || !options.similarity.empty())
+        return false;
     if (options.stage)
         journal.begin_stage(only);
     else if (only)
@@ -125,6 +127,12 @@ ExitCode run_grade_class(const fs::path& root, const std::string& grader,
     tidy(journal, folder); // not before all is entered that an earlier attempt has unpacked
     if (prepare(journal, options))
         grade(journal, options.stage ? Set::staged : Set::live, options, sheet, grader);
+    if (!options.similarity.empty()) {
+        const int count =
+            export_own_lines(journal, read_lab_sources(sheet), folder, options.similarity);
+        fmt::print(stderr, "{}: what the students of {} submissions wrote themselves\n",
+                   options.similarity, count);
+    }
     tidy(journal, folder);
     if (options.stage || options.differences) fmt::print("{}", to_text(differences_of(journal)));
     const ClassFigures figures = figures_of(journal, sheet);
@@ -170,6 +178,10 @@ Run add_grade_class(CLI::App& app, const fs::path& root, const std::string& grad
     for (CLI::Option* one : {stage, differences, apply, drop})
         for (CLI::Option* other : {stage, differences, apply, drop})
             if (one != other) one->excludes(other);
+    app.add_option(
+        "--similarity", options->similarity,
+        "write what the students wrote themselves, without what they were given, to an empty "
+        "folder, a folder a submission, as JPlag and Dolos read it; nothing is graded");
     app.add_flag("--json", options->json, "print a JSON object");
     app.add_option(
         "--grader", options->grader,

@@ -112,6 +112,19 @@ TEST(GradeClass, AStageThatIsNotDoneIsNotApplied) {
     EXPECT_EQ(all.verdicts().at("ada"), "100 PASS");
 }
 
+TEST(GradeClass, WhatStudentsWroteIsExportedWithoutWhatTheyWereGiven) {
+    ClassInFolder all;
+    all.student("ada", "right");
+    all.write("subs/ada/whitted.h", "int mine;\n#pragma once\n");
+    const std::string own = "'" + (all / "own").string() + "'";
+    const app::Outcome outcome = all.run_all("--similarity " + own);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_EQ(all.text("own/ada/whitted.h"), "int mine;\n");
+    EXPECT_EQ(all.text("own/ada/path.h"), "right ada\n");
+    EXPECT_EQ(all.logged("begin ada"), 0);
+    EXPECT_EQ(all.run("--similarity " + own).code, 2); // not empty
+}
+
 TEST(GradeClass, HostileTextsStayTexts) {
     ClassInFolder all;
     all.student("=HYPERLINK(1)", "half");
