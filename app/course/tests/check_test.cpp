@@ -76,9 +76,9 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     const Outcome help = run_in_shell("./raylab --help");
     EXPECT_EQ(help.code, 0);
     for (const std::string command :
-         {"demo", "test", "check", "render", "compare", "reference", "scenes", "export", "bench",
-          "bench-rays", "rare-cases", "prove", "release", "grade-class", "run", "debug", "import",
-          "update", "vendor"})
+         {"demo",   "test",  "check",      "render",     "compare", "reference", "scenes",
+          "export", "bench", "bench-rays", "rare-cases", "prove",   "release",   "grade-class",
+          "run",    "debug", "import",     "update",     "site",    "vendor"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
