@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Holds every Markdown page to the tree that it stands in, and to each tree that students get.
 
-    check_guides.py TREE --programs RAYLAB RAYLAB_CHECK RAYLAB_RUN [MORE...]
+    check_guides.py TREE --programs build/cpu/app/raylab build/cpu/app/course/raylab-check ...
 
 Commands exist with their options, labs, tasks, scenes and files; links lead to files and headings; API sheets name
-what the headers have. RAYLAB_CHECK writes the students' trees into a temporary folder. Ends with 1 and a list if not.
+what the headers have. raylab-check writes the students' trees into a temporary folder. Ends with 1 and a list if not.
 """
 import argparse
 import os
@@ -37,7 +37,8 @@ def main():
     if not os.access(memory, os.W_OK) or shutil.disk_usage(memory).free < 1 << 30:
         memory = None
     with tempfile.TemporaryDirectory(dir=memory) as folder:
-        release = [options.programs[1], "release", "-o", folder, "--no-build", "--give-away"]
+        check = next(program for program in options.programs if program.endswith("raylab-check"))
+        release = [check, "release", "-o", folder, "--no-build", "--give-away"]
         done = subprocess.run(release, cwd=tree, capture_output=True, text=True)
         if done.returncode != 0:
             found.append(f"release ended with {done.returncode}: {done.stdout}{done.stderr}")

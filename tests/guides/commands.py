@@ -13,7 +13,7 @@ CALL = re.compile(r"((?:\b[A-Z_]+=\S+ +)*)\./raylab\b(?!/)([^&|;'>\n]*)")
 PLACEHOLDER = re.compile(r"[A-Z][A-Z_]+(\.\w+)?|N\.M|\.\.\.|\[.*\]")
 WRITES = {"-o", "--output", "--stats", "--lanes", "--write", "--keep", "--snapshots"}
 READS = {"--with", "--reference"}
-ONLY_WITH_SOLUTIONS = {"prove", "release", "test"}  # not in the trees that students get
+NOT_FOR_STUDENTS = {"grade", "grade-class", "prove", "release", "test"}  # do not work in their trees
 
 
 class Help:
@@ -77,7 +77,7 @@ def wrong_with(words, tree, commands, written):
     if not words or words[0] in ("--help", "-h") or PLACEHOLDER.fullmatch(words[0]):
         return
     command, words = words[0], words[1:]
-    if tree.released and command in ONLY_WITH_SOLUTIONS:
+    if tree.released and command in NOT_FOR_STUDENTS:
         yield f"{command} does not work in this tree"
         return
     described = commands.help_of(tree.root, command)
