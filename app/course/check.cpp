@@ -6,6 +6,7 @@
 #include "common/load/suggest.h"
 #include "grader/course/contains.h"
 #include "grader/results/formats.h"
+#include "grader/results/mark_files.h"
 
 #include <fmt/format.h>
 
@@ -23,31 +24,6 @@ struct CheckOptions {
     std::string lab, task, machine = "plain";
     bool watch = false, json = false;
     std::vector<std::string> writes; // FORMAT:FILE
-};
-
-// The files of marks that were asked for.
-class MarkFiles {
-  public:
-    explicit MarkFiles(const std::vector<std::string>& asked) {
-        for (const std::string& text : asked) {
-            const std::size_t colon = text.find(':');
-            const std::string format = text.substr(0, colon);
-            if (colon == text.npos || colon + 1 == text.size())
-                throw CourseError(fmt::format("--write {}: expected FORMAT:FILE", text));
-            if (!contains(mark_formats(), format))
-                throw CourseError(fmt::format(
-                    "--write {}: there is no format '{}'{}; the formats are {}", text, format,
-                    did_you_mean(format, mark_formats()), listed(mark_formats())));
-            files_.push_back({format, text.substr(colon + 1)});
-            prepare_output(files_.back().second);
-        }
-    }
-    void write(const Marks& marks) const {
-        for (const auto& [format, file] : files_) write_file(file, write_marks(format, marks));
-    }
-
-  private:
-    std::vector<std::pair<std::string, std::string>> files_;
 };
 
 std::vector<std::string> asked_tasks(const LabSheet& sheet, const std::string& task) {

@@ -3,6 +3,7 @@
 
 #include "common/cli/process.h"
 #include "common/cli/progress.h"
+#include "grader/course/compiler_errors.h"
 #include "grader/course/needs_first.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 
 namespace raylab::app {
 
@@ -20,27 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double build_limit_seconds = 1800; // a first build, on a slow machine
-constexpr std::size_t shown_error_lines = 40;
-
-// The compiler's messages, without Ninja's lines and the command lines; file names are relative to
-// the root.
-std::string compiler_errors(const std::string& output, const fs::path& root) {
-    std::istringstream lines(output);
-    std::string errors;
-    std::size_t shown = 0;
-    bool command_follows = false;
-    for (std::string line; std::getline(lines, line);) {
-        const bool is_command = std::exchange(command_follows, line.starts_with("FAILED: "));
-        if (is_command || line.starts_with("[") || line.starts_with("FAILED: ") ||
-            line.starts_with("ninja: "))
-            continue;
-        for (std::size_t at; (at = line.find(root.string() + "/")) != line.npos;)
-            line.erase(at, root.string().size() + 1);
-        if (++shown > shown_error_lines) return errors + "... and more\n";
-        errors += line + "\n";
-    }
-    return errors;
-}
 
 // Ninja's last "[12/42] ..." as a progress line.
 class BuildProgress {
@@ -82,7 +61,7 @@ bool is_the_labs(const ProcessResult& build, const std::string& errors, const La
 bool CheckReport::passed() const {
     return compiler_errors.empty() && !results.empty() &&
            std::all_of(results.begin(), results.end(),
-                       [](const TaskResult& r) { return r.verdict == Verdict::pass; });
+                       [](const TaskResult& r) { return r.verdict == TaskVerdict::pass; });
 }
 
 CheckReport check_tasks(const Tree& tree, const LabSheet& sheet,
@@ -124,7 +103,7 @@ std::string to_text(const CheckReport& report) {
             text += fmt::format("    {}{}\n", result.before(stub), stub.sentence());
         for (const std::string& fact : result.facts) text += fmt::format("    {}\n", fact);
         for (const std::string& line : result.said) text += fmt::format("    | {}\n", line);
-        if (result.verdict != Verdict::pass)
+        if (result.verdict != TaskVerdict::pass)
             text += fmt::format("    read on: labs/{}/README.md, \"{}\"\n", report.sheet.folder,
                                 result.task.hints);
     }

@@ -8,15 +8,15 @@ namespace raylab::app {
 
 namespace {
 
-MarkVerdict verdict_of(Verdict verdict) {
+MarkVerdict verdict_of(TaskVerdict verdict) {
     switch (verdict) {
-    case Verdict::not_implemented:
+    case TaskVerdict::not_implemented:
         return MarkVerdict::not_implemented;
-    case Verdict::waits:
+    case TaskVerdict::waits:
         return MarkVerdict::not_run; // its tests ended at the stub of another task
-    case Verdict::wrong:
+    case TaskVerdict::wrong:
         return MarkVerdict::wrong;
-    case Verdict::pass:
+    case TaskVerdict::pass:
         return MarkVerdict::pass;
     }
     return MarkVerdict::not_run;

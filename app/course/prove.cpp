@@ -55,15 +55,15 @@ std::vector<State> states_of(const LabSheet& sheet, const std::vector<Variation>
 std::string objection(const State& state, const TaskResult& result) {
     const std::string& id = result.task.id;
     if (state.stubbed.contains(id)) {
-        if (result.verdict != Verdict::not_implemented)
+        if (result.verdict != TaskVerdict::not_implemented)
             return fmt::format("is {} on its stub", name(result.verdict));
         const bool own = result.stubs.front().task == id;
         const bool placed = result.stubs.front().place.starts_with("labs/");
         return own && placed ? "" : "does not name its own stub";
     }
-    if (result.verdict == Verdict::pass) return "";
+    if (result.verdict == TaskVerdict::pass) return "";
     // A test that calls a stubbed task cannot judge its own task, and reports the stub.
-    if (result.verdict == Verdict::waits && state.stubbed.contains(result.stubs.front().task))
+    if (result.verdict == TaskVerdict::waits && state.stubbed.contains(result.stubs.front().task))
         return "";
     return fmt::format("is {}{}{}", name(result.verdict), result.facts.empty() ? "" : ": ",
                        result.facts.empty() ? "" : result.facts.front());

@@ -14,7 +14,7 @@ namespace {
 
 bool is_wrong(const CheckReport& report, const std::string& task) {
     return std::any_of(report.results.begin(), report.results.end(), [&](const TaskResult& result) {
-        return result.task.id == task && result.verdict == Verdict::wrong;
+        return result.task.id == task && result.verdict == TaskVerdict::wrong;
     });
 }
 
@@ -35,7 +35,7 @@ MistakeProof prove(ProofBuild& build, const LabSources& lab, const Mistake& mist
     MistakeProof proof{lab.sheet.number, mistake, false, false, "", {}, 0};
     proof.seconds = report.build_seconds + report.test_seconds;
     for (const TaskResult& result : report.results) {
-        if (result.verdict != Verdict::wrong) continue;
+        if (result.verdict != TaskVerdict::wrong) continue;
         if (result.task.id != mistake.task) {
             proof.others.push_back(result.task.id);
             continue;

@@ -22,7 +22,7 @@ void check(ProofBuild& build, const LabSources& lab, const std::vector<std::stri
         return;
     }
     for (const TaskResult& result : report.results)
-        if (result.verdict == Verdict::wrong) proof.killers.push_back(result.task.id);
+        if (result.verdict == TaskVerdict::wrong) proof.killers.push_back(result.task.id);
     if (!proof.killers.empty()) proof.fate = Fate::killed;
 }
 

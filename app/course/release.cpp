@@ -49,7 +49,7 @@ void expect_stubs(const LabSheet& sheet, const fs::path& tree) {
                         "1:\n{}",
                         sheet.number, check.exit_code, check.output));
     for (const auto& task : report.at("tasks"))
-        if (task.at("verdict") != name(Verdict::not_implemented) ||
+        if (task.at("verdict") != name(TaskVerdict::not_implemented) ||
             task.at("not_implemented").at(0).at("task") != task.at("id"))
             throw std::runtime_error(fmt::format("in the tree of lab {}, task {} is {} and should "
                                                  "be NOT IMPLEMENTED:\n{}",

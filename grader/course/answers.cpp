@@ -39,7 +39,7 @@ Answer answer_to(const Task& task, const LabSheet& lab, const SolutionLines& lin
 SolutionLines solution_lines(const LabSources& lab) {
     SolutionLines lines;
     for (const MarkedSource& source : lab.files)
-        for (const Region* region : source.regions())
+        for (const MarkedRegion* region : source.regions())
             for (const std::string& line : telling_lines(*region)) lines[line].insert(region->id);
     return lines;
 }

@@ -108,11 +108,30 @@ std::vector<Withheld> read_withheld(const Node& files, const LabSheet& sheet) {
     return withheld;
 }
 
+std::vector<std::string> read_tasks(const Node& node, const LabSheet& sheet) {
+    for (const Node& id : node.elements())
+        if (!sheet.find(id.string()))
+            id.fail(fmt::format("lab {} has no task '{}'{}", sheet.number, id.string(),
+                                did_you_mean(id.string(), sheet.task_ids())));
+    return read_words(node);
+}
+
+GradedPicture read_picture(const Node& node, const LabSheet& sheet) {
+    node.expect_keys({"scene", "roulette", "options", "tasks", "counts"}, "a graded picture");
+    GradedPicture picture;
+    picture.scene = filled(node.at("scene"));
+    if (const auto roulette = node.find("roulette")) picture.roulette = roulette->boolean();
+    if (const auto options = node.find("options")) picture.options = read_words(*options);
+    picture.tasks = read_tasks(node.at("tasks"), sheet);
+    if (const auto counts = node.find("counts")) picture.counts = read_tasks(*counts, sheet);
+    return picture;
+}
+
 LabSheet read_document(const JsonDocument& document, const fs::path& root,
                        const std::string& folder) {
     const Node top(document);
     top.expect_keys({"version", "number", "folder", "title", "tests", "test_files", "scenes",
-                     "withhold", "tasks"},
+                     "withhold", "tasks", "graded_pictures"},
                     "a lab");
     if (top.at("version").integer() != 1) top.at("version").fail_expected("1");
     LabSheet sheet;
@@ -135,6 +154,9 @@ LabSheet read_document(const JsonDocument& document, const fs::path& root,
         sheet.tasks.push_back(read_task(node, sheet));
     if (sheet.tasks.empty()) top.at("tasks").fail("a lab has at least one task");
     check_needs(top.at("tasks"), sheet);
+    if (const auto pictures = top.find("graded_pictures"))
+        for (const Node& node : pictures->elements())
+            sheet.pictures.push_back(read_picture(node, sheet));
     if (const auto withhold = top.find("withhold"))
         sheet.withhold = read_withheld(*withhold, sheet);
     return sheet;

@@ -7,7 +7,10 @@
 //       "withhold": { "common/trace/intersect.h": ["1.2"], ... },
 //       "tasks": [ { "id": "2.1", "title": "...", "points": 30, "minutes": 90,
 //                    "files": ["path.h"], "tests": ["Task2_1.*"], "needs": [],
-//                    "hints": "2.1 The loop", "picture": "what you should see" }, ... ] }
+//                    "hints": "2.1 The loop", "picture": "what you should see" }, ... ],
+//       "graded_pictures": [ { "scene": "cornell", "roulette": false,
+//                              "options": ["--block", "64"], "tasks": ["2.1", "2.2"], "counts":
+//                              ["2.6"] }, ... ] }
 #pragma once
 
 #include "grader/course/course_error.h"
@@ -38,6 +41,15 @@ struct Withheld {
     std::set<std::string> answers; // ids of the lab's tasks
 };
 
+// A picture that `grade` draws: it is right only if each of its tasks is.
+struct GradedPicture {
+    std::string scene;                // of the bundled ones
+    bool roulette = true;             // false: switched off in the scene
+    std::vector<std::string> options; // of `raylab render`; they change no bit
+    std::vector<std::string> tasks;
+    std::vector<std::string> counts; // tasks that are right only if the ledger's counts are, too
+};
+
 struct LabSheet {
     std::filesystem::path root; // of the tree that the lab is in
     std::string number;         // "02"
@@ -48,6 +60,7 @@ struct LabSheet {
     std::vector<std::string> scenes;     // worth rendering with it
     std::vector<Withheld> withhold;
     std::vector<Task> tasks;
+    std::vector<GradedPicture> pictures;
 
     std::filesystem::path path() const { return root / "labs" / folder; }
     const Task* find(const std::string& id) const; // nullptr if there is no such task

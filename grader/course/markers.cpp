@@ -78,9 +78,10 @@ class Parser {
         }
     }
 
-    Region opened(std::string_view word) const {
-        for (const auto& [kind, prefix] : {std::pair{Region::Kind::task, "//[ task "},
-                                           std::pair{Region::Kind::withhold, "//[ withhold "}}) {
+    MarkedRegion opened(std::string_view word) const {
+        for (const auto& [kind, prefix] :
+             {std::pair{MarkedRegion::Kind::task, "//[ task "},
+              std::pair{MarkedRegion::Kind::withhold, "//[ withhold "}}) {
             if (!word.starts_with(prefix)) continue;
             const std::string id(word.substr(std::string_view(prefix).size()));
             if (!id.empty() && id.find_first_not_of("0123456789.") == id.npos)
@@ -89,8 +90,8 @@ class Parser {
         fail(line_, fmt::format("expected //[ task 2.3 or //[ withhold 01, found {}", word));
     }
 
-    static std::string name(const Region& region) {
-        return (region.kind == Region::Kind::task ? "task " : "withhold ") + region.id;
+    static std::string name(const MarkedRegion& region) {
+        return (region.kind == MarkedRegion::Kind::task ? "task " : "withhold ") + region.id;
     }
 
     [[noreturn]] void fail(int line, const std::string& what) const {
@@ -100,15 +101,15 @@ class Parser {
     MarkedSource source_;
     std::string_view text_;
     int line_ = 0;
-    std::optional<Region> open_;
+    std::optional<MarkedRegion> open_;
 };
 
 } // namespace
 
-std::vector<const Region*> MarkedSource::regions() const {
-    std::vector<const Region*> all;
+std::vector<const MarkedRegion*> MarkedSource::regions() const {
+    std::vector<const MarkedRegion*> all;
     for (const Piece& piece : pieces)
-        for (const Region& region : piece.region) all.push_back(&region);
+        for (const MarkedRegion& region : piece.region) all.push_back(&region);
     return all;
 }
 
@@ -117,14 +118,14 @@ MarkedSource parse_markers(std::string_view text, const std::string& file) {
 }
 
 std::string student_source(const MarkedSource& source,
-                           const std::function<bool(const Region&)>& stubbed) {
+                           const std::function<bool(const MarkedRegion&)>& stubbed) {
     std::string text;
     const auto append = [&](const std::vector<std::string>& lines) {
         for (const std::string& line : lines) text.append(line).append("\n");
     };
     for (const MarkedSource::Piece& piece : source.pieces) {
         append(piece.lines);
-        for (const Region& region : piece.region)
+        for (const MarkedRegion& region : piece.region)
             append(stubbed(region) ? region.stub : region.solution);
     }
     return text;

@@ -18,7 +18,7 @@
 
 namespace raylab {
 
-struct Region {
+struct MarkedRegion {
     enum class Kind { task, withhold };
     Kind kind;
     std::string id; // of the task, or number of the lab
@@ -29,13 +29,13 @@ struct Region {
 // A source as it is: plain lines and regions in turn.
 struct MarkedSource {
     struct Piece {
-        std::vector<std::string> lines; // plain, before the region
-        std::vector<Region> region;     // none behind the last lines, else one
+        std::vector<std::string> lines;   // plain, before the region
+        std::vector<MarkedRegion> region; // none behind the last lines, else one
     };
     std::string file;
     std::vector<Piece> pieces;
 
-    std::vector<const Region*> regions() const;
+    std::vector<const MarkedRegion*> regions() const;
 };
 
 // Throws CourseError `file:line: ...` if a marker is unbalanced, nested or misspelled, if a bar
@@ -45,6 +45,6 @@ MarkedSource parse_markers(std::string_view text, const std::string& file);
 // The source for a student: no markers; where `stubbed` says so the stub, elsewhere the solution.
 // A withheld region without a stub leaves nothing.
 std::string student_source(const MarkedSource& source,
-                           const std::function<bool(const Region&)>& stubbed);
+                           const std::function<bool(const MarkedRegion&)>& stubbed);
 
 } // namespace raylab

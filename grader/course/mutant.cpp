@@ -66,7 +66,8 @@ std::string on_one_line(const std::vector<std::string>& lines, std::size_t first
 }
 
 // The mutant of a region by an edit of its text; what it has of the lab's is filled in already.
-Mutant mutated(Mutant mutant, const Region& region, const std::string& code, const CodeEdit& edit) {
+Mutant mutated(Mutant mutant, const MarkedRegion& region, const std::string& code,
+               const CodeEdit& edit) {
     const std::vector<std::string>& before = region.solution;
     mutant.new_solution = lines_in(edit.apply(code));
     const auto count = [](const std::string& text) {
@@ -89,7 +90,7 @@ std::vector<Mutant> mutants_of(const LabSources& lab) {
     std::vector<Mutant> all;
     const std::string folder = "labs/" + lab.sheet.folder + "/";
     for (std::size_t s = 0; s < lab.files.size(); ++s) {
-        const std::vector<const Region*> regions = lab.files[s].regions();
+        const std::vector<const MarkedRegion*> regions = lab.files[s].regions();
         const std::string file = lab.files[s].file.substr(folder.size());
         for (std::size_t r = 0; r < regions.size(); ++r) {
             const std::string code = joined(regions[r]->solution);
@@ -117,7 +118,7 @@ LabSources planted(const LabSources& lab, const Mutant& mutant) {
     LabSources with = lab;
     std::size_t r = 0;
     for (MarkedSource::Piece& piece : with.files[mutant.source].pieces)
-        for (Region& region : piece.region)
+        for (MarkedRegion& region : piece.region)
             if (r++ == mutant.region) region.solution = mutant.new_solution;
     return with;
 }

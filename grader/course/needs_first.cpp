@@ -12,12 +12,12 @@ void say_what_is_needed_first(std::vector<TaskResult>& results) {
     const auto comes_first = [&](const std::string& need, const TaskResult& result) {
         return std::any_of(results.begin(), results.end(), [&](const TaskResult& other) {
             const bool mutual = contains(other.task.needs, result.task.id);
-            return other.task.id == need && other.verdict == Verdict::wrong &&
+            return other.task.id == need && other.verdict == TaskVerdict::wrong &&
                    (!mutual || &other < &result);
         });
     };
     for (TaskResult& result : results) {
-        if (result.verdict != Verdict::wrong) continue;
+        if (result.verdict != TaskVerdict::wrong) continue;
         for (const std::string& need : result.task.needs)
             if (comes_first(need, result))
                 result.facts.insert(

@@ -38,12 +38,14 @@ const std::vector<std::string> given = {".clang-format",   ".clangd",
 const std::map<fs::path, std::vector<std::string>> for_solutions = {
     {"app/course",
      {"in_a_cell", "proof_build", "prove", "prove_mistakes", "prove_mutants", "release"}},
+    {"app/grade", {"doctor", "grade", "grade_report", "main"}},
     {"grader/course",
      {"answers", "code_edits", "code_text", "markers", "mutant", "release", "stub_tree",
       "variation"}}};
 
 // What only instructors need.
-const std::vector<fs::path> for_instructors = {"app/class", "grader/class"};
+const std::vector<fs::path> for_instructors = {"app/class", "grader/class", "grader/grading",
+                                               "grader/sandbox", "grader/submissions"};
 
 // The project's own tests contain answers, and generated files are not sources.
 bool is_given(const fs::path& file) {
@@ -155,8 +157,8 @@ Given without_answers(const LabSheet& sheet, const NotToSee& hidden, const std::
     const MarkedSource source = parse_markers(read_file((sheet.root / file).string()), file);
     const bool listed = contains(hidden.files, file);
     bool has_region = false;
-    for (const Region* region : source.regions()) {
-        if (region->kind != Region::Kind::withhold)
+    for (const MarkedRegion* region : source.regions()) {
+        if (region->kind != MarkedRegion::Kind::withhold)
             throw CourseError(fmt::format("{}:{}: only a lab has tasks", file, region->line));
         if (!contains(hidden.numbers, region->id)) continue;
         has_region = true;
@@ -167,8 +169,8 @@ Given without_answers(const LabSheet& sheet, const NotToSee& hidden, const std::
                                           file, region->line, sheet.folder));
     }
     if (listed && !has_region) return {"", true};
-    return {
-        student_source(source, [&](const Region& r) { return contains(hidden.numbers, r.id); })};
+    return {student_source(source,
+                           [&](const MarkedRegion& r) { return contains(hidden.numbers, r.id); })};
 }
 
 } // namespace
@@ -213,7 +215,7 @@ ReleasedTree write_student_tree(const LabSources& lab, const fs::path& target) {
     return tree;
 }
 
-std::vector<std::string> telling_lines(const Region& region) {
+std::vector<std::string> telling_lines(const MarkedRegion& region) {
     std::set<std::string> said;
     for (const std::string& line : region.stub) said.insert(squeezed(line));
     std::vector<std::string> lines;

@@ -26,7 +26,7 @@ ReleasedTree write_student_tree(const LabSources& lab, const std::filesystem::pa
 std::string squeezed(const std::string& line);
 
 // The lines of a region's solution that give something away, squeezed: those not in its stub.
-std::vector<std::string> telling_lines(const Region& region);
+std::vector<std::string> telling_lines(const MarkedRegion& region);
 
 // Calls back with each line of the text files below a folder: the file relative to it, the line's
 // number from 1, and the line.

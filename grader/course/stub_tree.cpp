@@ -33,9 +33,9 @@ bool lists(const Task& task, const std::string& file) {
 }
 
 void check_regions(const LabSheet& sheet, const MarkedSource& source, const std::string& file) {
-    for (const Region* region : source.regions()) {
+    for (const MarkedRegion* region : source.regions()) {
         const std::string place = fmt::format("{}:{}", source.file, region->line);
-        if (region->kind != Region::Kind::task)
+        if (region->kind != MarkedRegion::Kind::task)
             throw CourseError(place + ": `withhold` is for files of common; a lab has tasks");
         const Task* task = sheet.find(region->id);
         if (!task)
@@ -83,9 +83,9 @@ LabSources read_lab_sources(const LabSheet& sheet) {
     for (const Task& task : sheet.tasks)
         for (const std::string& file : task.files) {
             const MarkedSource* source = lab.find(file);
-            const auto regions = source ? source->regions() : std::vector<const Region*>{};
+            const auto regions = source ? source->regions() : std::vector<const MarkedRegion*>{};
             if (std::none_of(regions.begin(), regions.end(),
-                             [&](const Region* region) { return region->id == task.id; }))
+                             [&](const MarkedRegion* region) { return region->id == task.id; }))
                 throw CourseError(fmt::format("labs/{0}/{1}:1: task {2} has no marker //[ task {2} "
                                               "here, but lab.json says so",
                                               sheet.folder, file, task.id));
@@ -107,10 +107,11 @@ void write_lab(const LabSources& lab, const std::set<std::string>& stubbed, cons
     for (const fs::path& file : files_below(lab.sheet.path())) {
         if (!is_handed_out(lab.sheet, file)) continue;
         const MarkedSource* source = lab.find(file.string());
-        std::string text =
-            source ? student_source(
-                         *source, [&](const Region& region) { return stubbed.contains(region.id); })
-                   : read_file((lab.sheet.path() / file).string());
+        std::string text = source ? student_source(*source,
+                                                   [&](const MarkedRegion& region) {
+                                                       return stubbed.contains(region.id);
+                                                   })
+                                  : read_file((lab.sheet.path() / file).string());
         if (change) text = change(file.string(), std::move(text));
         write_if_changed(target / file, text);
     }

@@ -1,7 +1,6 @@
 #include "grader/course/verdict.h"
 
 #include "common/cli/files.h"
-#include "common/cli/process.h"
 #include "common/simt/finding.h"
 #include "grader/course/contains.h"
 #include "grader/course/said.h"
@@ -16,7 +15,6 @@
 #include <iterator>
 #include <regex>
 #include <sstream>
-#include <unistd.h>
 
 namespace raylab {
 
@@ -24,31 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double test_limit_seconds = 30;        // the labs' own take milliseconds
-constexpr double patience_with_the_machine = 10; // so many limits, while others keep it busy
+constexpr double test_limit_seconds = 30; // the labs' own take milliseconds
 
 struct TestOutcome {
     bool passed = false;
     bool launches = false; // kernels of the CPU machine were run
     std::vector<std::string> facts, said;
     std::vector<Stub> stubs;
-};
-
-// A file name for GoogleTest's report that nobody else uses. The destructor removes the file.
-class TemporaryFile {
-  public:
-    TemporaryFile() : path_((fs::temp_directory_path() / "raylab-check-XXXXXX").string()) {
-        const int file = mkstemp(path_.data());
-        if (file < 0) throw std::system_error(errno, std::generic_category(), path_);
-        close(file);
-    }
-    ~TemporaryFile() { unlink(path_.c_str()); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
 };
 
 // A test that did not run shows neither a right nor a wrong answer.
@@ -58,26 +38,13 @@ class TemporaryFile {
 }
 
 // The names of the tests that match the filters of a task.
-std::vector<std::string> list_tests(const Task& task, const fs::path& program,
-                                    const fs::path& folder) {
+std::vector<std::string> list_tests(const Task& task, const TestProgram& program) {
     std::vector<std::string> names;
     for (const std::string& filter : task.tests) {
-        const ProcessResult listing = run_process(
-            {program.string(), "--gtest_list_tests", "--gtest_filter=" + filter}, {30, folder});
-        if (!listing.succeeded()) did_not_run("'" + program.string() + "'", why_failed(listing));
-        std::string suite;
-        const std::size_t before = names.size();
-        std::istringstream lines(listing.output);
-        for (std::string line; std::getline(lines, line);) {
-            line = line.substr(0, line.find("  #")); // a parameter's value
-            if (line.starts_with("  "))
-                names.push_back(suite + line.substr(2));
-            else if (line.ends_with("."))
-                suite = line;
-        }
-        if (names.size() == before)
-            did_not_run("task " + task.id, fmt::format("no test of {} matches \"{}\"",
-                                                       program.filename().string(), filter));
+        const std::vector<std::string> found = program.tests(filter);
+        if (found.empty())
+            did_not_run("task " + task.id, fmt::format("no test matches \"{}\"", filter));
+        names.insert(names.end(), found.begin(), found.end());
     }
     return names;
 }
@@ -124,7 +91,8 @@ struct Report {
     std::vector<std::string> failures;
 };
 
-Report read_report(const std::string& text) {
+// A report of a submission's program may be anything.
+Report read_report(const std::string& text) try {
     Report report;
     const auto json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_discarded()) return report;
@@ -137,6 +105,8 @@ Report read_report(const std::string& text) {
                     report.failures.push_back(failure.at("failure"));
         }
     return report;
+} catch (const nlohmann::json::exception&) {
+    return {};
 }
 
 // What the machine that watches every access (common/simt/watch) has found wrong, a sentence each.
@@ -154,34 +124,33 @@ std::vector<std::string> watched_mistakes(const std::vector<simt::Finding>& find
     return sentences;
 }
 
-TestOutcome run_test_once(const std::string& name, const std::string& order,
-                          const fs::path& program, const LabSheet& sheet, double limit_seconds) {
-    const TemporaryFile file, findings;
-    bool began = false; // looked for as output comes, since only the end of long output is kept
-    const ProcessResult process = run_process(
-        {"env", "RAYLAB_FINDINGS=" + findings.path(), "RAYLAB_ORDER=" + order, program.string(),
-         "--gtest_filter=" + name, "--gtest_color=no", "--gtest_output=json:" + file.path()},
-        {.limit_seconds = limit_seconds,
-         .folder = sheet.root,
-         .watch =
-             [&](const std::string& output) {
-                 began = began || output.find("[ RUN      ] " + name) != output.npos;
-             },
-         .limit_on_a_busy_machine = patience_with_the_machine * limit_seconds});
-    const Report report = read_report(read_file(file.path()));
+// Throws if the test did not run through no fault of the lab. An untrusted program cannot excuse
+// itself so: the same tests run with the stubs.
+void expect_run(const std::string& name, const TestRun& run, const Report& report) {
     if (!report.completed && !report.result.empty())
         did_not_run(name, "it was skipped or disabled");
     // After its first line a test calls the lab's functions, so an early end is the lab's mistake.
-    if (!began) did_not_run(name, why_failed(process));
+    if (!run.began) did_not_run(name, why_failed(run.process));
     // These are the words of common/simt/check.h.
-    if (process.output.find("no NVIDIA GPU or driver was found") != std::string::npos)
+    if (run.process.output.find("no NVIDIA GPU or driver was found") != std::string::npos)
         did_not_run(name, "no NVIDIA GPU or driver was found on this machine; RAYLAB_PRESET=cpu "
                           "checks on the CPU machine");
+    if (!run.process.timed_out && run.process.signal == 0 && !report.completed &&
+        run.process.output.find("] " + name + " (") != std::string::npos)
+        did_not_run(name, "it ended, but its report could not be written: is the disk full?");
+}
+
+TestOutcome run_test_once(const std::string& name, const std::string& order,
+                          const TestProgram& program, const LabSheet& sheet, double limit_seconds) {
+    const TestRun run = program.run(name, order, limit_seconds);
+    const ProcessResult& process = run.process;
+    const Report report = read_report(run.report);
+    if (program.trusted()) expect_run(name, run, report);
     TestOutcome outcome;
-    outcome.passed = process.succeeded() && report.completed;
+    outcome.passed = process.succeeded() && report.completed && program.passed();
     outcome.stubs = stubs_met(process.output);
     outcome.said = said_by_test(process.output, name, report.failures);
-    const simt::FindingsFile found = simt::parse_findings(read_file(findings.path()));
+    const simt::FindingsFile found = simt::parse_findings(run.findings);
     outcome.launches = found.summary && found.summary->launches > 0;
     const std::vector<std::string> mistakes = watched_mistakes(found.findings);
     if (outcome.passed && mistakes.empty()) return outcome;
@@ -191,8 +160,6 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
                                      name, limit_seconds)};
     else if (process.signal != 0)
         outcome.facts = {crash_fact(name, process.signal, sheet.number)};
-    else if (!report.completed && process.output.find("] " + name + " (") != std::string::npos)
-        did_not_run(name, "it ended, but its report could not be written: is the disk full?");
     else if (!report.completed)
         outcome.facts = {fmt::format("{} ended the program with exit code {} before the test was "
                                      "over; the likely cause: a call of exit()",
@@ -209,7 +176,7 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
 
 // A kernel gives one result, whichever of its threads comes first. So a test that passes runs again
 // with the threads in reverse order; one without a kernel does not.
-TestOutcome run_test(const std::string& name, const fs::path& program, const LabSheet& sheet,
+TestOutcome run_test(const std::string& name, const TestProgram& program, const LabSheet& sheet,
                      double limit_seconds) {
     const TestOutcome forward = run_test_once(name, "forward", program, sheet, limit_seconds);
     if (!forward.passed || !forward.launches) return forward;
@@ -231,8 +198,8 @@ std::string Stub::sentence() const {
 
 std::string TaskResult::before(const Stub& stub) const {
     if (stub.task == task.id) return "";
-    return verdict == Verdict::waits ? fmt::format("written, waits for {}: ", stub.task)
-                                     : "needs first: ";
+    return verdict == TaskVerdict::waits ? fmt::format("written, waits for {}: ", stub.task)
+                                         : "needs first: ";
 }
 
 std::vector<Stub> standing_stubs(const LabSheet& sheet, const fs::path& lab_folder,
@@ -255,11 +222,16 @@ std::vector<Stub> standing_stubs(const LabSheet& sheet, const fs::path& lab_fold
 
 TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& program,
                       double patience) {
+    return judge_task(sheet, task, OwnTestProgram(program, sheet.root), patience);
+}
+
+TaskResult judge_task(const LabSheet& sheet, const Task& task, const TestProgram& program,
+                      double patience) {
     TaskResult result;
     result.task = task;
     std::vector<Stub> own, needed;
     const auto start = std::chrono::steady_clock::now();
-    for (const std::string& name : list_tests(task, program, sheet.root)) {
+    for (const std::string& name : list_tests(task, program)) {
         const TestOutcome test = run_test(name, program, sheet, patience * test_limit_seconds);
         ++result.tests;
         result.passed += test.passed;
@@ -280,25 +252,25 @@ TaskResult judge_task(const LabSheet& sheet, const Task& task, const fs::path& p
         own = standing_stubs(sheet, sheet.path(), task);
 
     if (!own.empty())
-        result.verdict = Verdict::not_implemented, result.stubs = own;
+        result.verdict = TaskVerdict::not_implemented, result.stubs = own;
     else if (result.passed == result.tests)
-        result.verdict = Verdict::pass;
+        result.verdict = TaskVerdict::pass;
     else if (result.facts.empty())
-        result.verdict = Verdict::waits, result.stubs = needed;
+        result.verdict = TaskVerdict::waits, result.stubs = needed;
     else
-        result.verdict = Verdict::wrong;
+        result.verdict = TaskVerdict::wrong;
     return result;
 }
 
-const char* name(Verdict verdict) {
+const char* name(TaskVerdict verdict) {
     switch (verdict) {
-    case Verdict::not_implemented:
+    case TaskVerdict::not_implemented:
         return "NOT IMPLEMENTED";
-    case Verdict::waits:
+    case TaskVerdict::waits:
         return "WAITS";
-    case Verdict::wrong:
+    case TaskVerdict::wrong:
         return "WRONG";
-    case Verdict::pass:
+    case TaskVerdict::pass:
         return "PASS";
     }
     return "";

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "grader/course/lab_sheet.h"
+#include "grader/course/test_program.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace raylab {
 
 // waits: it is written, but its tests met the stub of another task, which it needs.
-enum class Verdict { not_implemented, waits, wrong, pass };
+enum class TaskVerdict { not_implemented, waits, wrong, pass };
 
 // "task 2.3 trace_kernel() is not implemented: labs/02_iterative/renderer.cu:41"
 struct Stub {
@@ -24,14 +25,14 @@ struct Stub {
 
 struct TaskResult {
     Task task;
-    Verdict verdict = Verdict::pass;
+    TaskVerdict verdict = TaskVerdict::pass;
     std::vector<Stub> stubs;        // not_implemented: of this task; waits: of those that it needs
     std::vector<std::string> facts; // what was measured to be wrong, where no stub was met
     std::vector<std::string> said;  // what the lab's own printf() printed in these tests (said.h)
     int tests = 0, passed = 0;
     double seconds = 0;
 
-    int points() const { return verdict == Verdict::pass ? task.points : 0; }
+    int points() const { return verdict == TaskVerdict::pass ? task.points : 0; }
 
     // What stands before the sentence of one of its stubs.
     std::string before(const Stub& stub) const;
@@ -46,10 +47,14 @@ struct TaskResult {
 TaskResult judge_task(const LabSheet& sheet, const Task& task, const std::filesystem::path& program,
                       double patience = 1);
 
+// The same, of a program that somebody else runs.
+TaskResult judge_task(const LabSheet& sheet, const Task& task, const TestProgram& program,
+                      double patience = 1);
+
 // The stubs of a task that still stand in the lab's folder, whether or not anything calls them.
 std::vector<Stub> standing_stubs(const LabSheet& sheet, const std::filesystem::path& lab_folder,
                                  const Task& task);
 
-const char* name(Verdict verdict); // "NOT IMPLEMENTED", "WAITS", "WRONG", "PASS"
+const char* name(TaskVerdict verdict); // "NOT IMPLEMENTED", "WAITS", "WRONG", "PASS"
 
 } // namespace raylab

@@ -95,9 +95,9 @@ TEST_F(Mutants, AreOfTasksAloneAndHaveTheirPlace) {
     EXPECT_EQ(mutants[1].line, 8);
     EXPECT_EQ(mutants[1].was, "return 2;");
     EXPECT_EQ(mutants[1].is, "return 3;");
-    EXPECT_EQ(
-        student_source(planted(lab, mutants[1]).files[0], [](const Region&) { return false; }),
-        "int before();\nint one() { return 1; }\nint f() {\n    return 3;\n}\n");
+    EXPECT_EQ(student_source(planted(lab, mutants[1]).files[0],
+                             [](const MarkedRegion&) { return false; }),
+              "int before();\nint one() { return 1; }\nint f() {\n    return 3;\n}\n");
 }
 
 TEST_F(Mutants, SomeAreEquivalentForAReason) {

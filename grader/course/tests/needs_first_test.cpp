@@ -6,12 +6,12 @@ namespace raylab {
 
 namespace {
 
-TaskResult result(const std::string& id, Verdict verdict, std::vector<std::string> needs) {
+TaskResult result(const std::string& id, TaskVerdict verdict, std::vector<std::string> needs) {
     TaskResult result;
     result.task.id = id;
     result.task.needs = std::move(needs);
     result.verdict = verdict;
-    if (verdict == Verdict::wrong) result.facts = {"a fact"};
+    if (verdict == TaskVerdict::wrong) result.facts = {"a fact"};
     return result;
 }
 
@@ -20,8 +20,8 @@ const std::string mend_first = "needs first: task 1.1, which is WRONG; mend it a
 
 TEST(NeedsFirst, AWrongTaskNamesTheWrongOneThatItNeeds) {
     std::vector<TaskResult> results = {
-        result("1.1", Verdict::wrong, {}), result("1.2", Verdict::wrong, {"1.1"}),
-        result("1.3", Verdict::wrong, {"1.4"}), result("1.4", Verdict::pass, {"1.1"})};
+        result("1.1", TaskVerdict::wrong, {}), result("1.2", TaskVerdict::wrong, {"1.1"}),
+        result("1.3", TaskVerdict::wrong, {"1.4"}), result("1.4", TaskVerdict::pass, {"1.1"})};
     say_what_is_needed_first(results);
     EXPECT_EQ(results[0].facts, std::vector<std::string>{"a fact"});
     EXPECT_EQ(results[1].facts, (std::vector<std::string>{mend_first, "a fact"}));
@@ -30,8 +30,8 @@ TEST(NeedsFirst, AWrongTaskNamesTheWrongOneThatItNeeds) {
 }
 
 TEST(NeedsFirst, OfTwoThatNeedEachOtherTheFirstIsMendedFirst) {
-    std::vector<TaskResult> results = {result("1.1", Verdict::wrong, {"1.2"}),
-                                       result("1.2", Verdict::wrong, {"1.1"})};
+    std::vector<TaskResult> results = {result("1.1", TaskVerdict::wrong, {"1.2"}),
+                                       result("1.2", TaskVerdict::wrong, {"1.1"})};
     say_what_is_needed_first(results);
     EXPECT_EQ(results[0].facts, std::vector<std::string>{"a fact"});
     EXPECT_EQ(results[1].facts, (std::vector<std::string>{mend_first, "a fact"}));

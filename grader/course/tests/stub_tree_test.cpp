@@ -25,7 +25,7 @@ void expect_error(const std::function<void()>& act, const std::vector<std::strin
 
 std::string stubbed(const std::string& source, const std::string& id) {
     return student_source(parse_markers(source, "a.cpp"),
-                          [&](const Region& region) { return region.id == id; });
+                          [&](const MarkedRegion& region) { return region.id == id; });
 }
 
 TEST_F(StubTree, OneTaskIsStubbedAndTheOtherStands) {
