@@ -50,6 +50,12 @@ function(raylab_test name)
     cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LIBS;LABELS;OPTIONS" ${ARGN})
     find_package(GTest REQUIRED)
     add_executable(${name} ${arg_SOURCES})
+    if(RAYLAB_WITNESS)
+        # By itself: in a file with the tests it would share the macros of what they include.
+        set_source_files_properties(${CMAKE_SOURCE_DIR}/grader/witness/witness.cpp
+                                    PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        target_sources(${name} PRIVATE ${CMAKE_SOURCE_DIR}/grader/witness/witness.cpp)
+    endif()
     # Options of linked libraries come after a target's own: linked last, these have the last word.
     raylab_compile_together(${name})
     add_library(${name}_options INTERFACE)

@@ -18,7 +18,8 @@ class TestProgram {
     // The names of the tests that a filter matches. Throws std::runtime_error.
     virtual std::vector<std::string> tests(const std::string& filter) const = 0;
 
-    // Runs one test, with the CUDA threads in this order (RAYLAB_ORDER).
+    // Runs one test, with the CUDA threads in this order (RAYLAB_ORDER). An untrusted program may
+    // not be started any more (ProcessResult::started).
     virtual TestRun run(const std::string& name, const std::string& order,
                         double limit_seconds) const = 0;
 

@@ -154,7 +154,9 @@ TestOutcome run_test_once(const std::string& name, const std::string& order,
     outcome.launches = found.summary && found.summary->launches > 0;
     const std::vector<std::string> mistakes = watched_mistakes(found.findings);
     if (outcome.passed && mistakes.empty()) return outcome;
-    if (process.timed_out)
+    if (!process.started)
+        outcome.facts = {fmt::format("{} was not run, since one before it did not end", name)};
+    else if (process.timed_out)
         outcome.facts = {fmt::format("{} did not end within {:.0f} s; the likely cause: a loop "
                                      "whose condition never becomes false",
                                      name, limit_seconds)};

@@ -121,6 +121,7 @@ class Run {
         : options_(options), isolation_(isolation), command_(command),
           group_(isolation.memory ? options.limits.memory : 0,
                  isolation.pids ? options.limits.processes : 0) {
+        capture_ = Capture(options.whole_output);
         prepare();
     }
     ~Run() {

@@ -41,6 +41,7 @@ struct SandboxOptions {
     std::map<std::string, std::string> environment = {}; // beside PATH, LANG and HOME; nothing else
     std::map<int, int> handles = {}; // number in the program (3 to 9) -> this process's descriptor
     Limits limits = {};
+    bool whole_output = false; // else Outcome::output is cut in the middle
 };
 
 enum class End {
@@ -57,7 +58,7 @@ const char* name(End end); // "EXITED", "TIME_LIMIT", ...
 struct Outcome {
     End end = End::not_started;
     int exit_code = -1, signal = 0;
-    std::string output;  // head and tail, as the bytes came
+    std::string output;  // as the bytes came
     std::string trouble; // why it was not started
     double seconds = 0, cpu_seconds = 0;
     std::uint64_t peak_memory = 0; // bytes; 0: this tier cannot tell
