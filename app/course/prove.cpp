@@ -166,7 +166,7 @@ ExitCode run_prove(const Tree& tree, const ProveOptions& options) {
         });
     if (options.mutants)
         return prove_planted(tree, labs, options.output, [&](const LabSheet& sheet) {
-            return prove_mutants(build, sheet, options.only, options.every);
+            return prove_mutants(build, sheet, {options.only, options.every});
         });
     std::vector<LabProof> proofs;
     bool holds = true;

@@ -102,7 +102,8 @@ std::string to_markdown(const std::vector<MistakeProof>& proofs) {
     for (const MistakeProof& proof : proofs)
         text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} |\n", proof.mistake.task,
                             in_a_cell(proof.mistake.change.title), verdict(proof),
-                            in_a_cell(proof.said), fmt::join(proof.others, ", "), proof.seconds);
+                            in_a_cell(proof.said.substr(0, proof.said.find('\n'))),
+                            fmt::join(proof.others, ", "), proof.seconds);
     return text;
 }
 

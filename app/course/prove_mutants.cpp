@@ -26,8 +26,9 @@ void check(ProofBuild& build, const LabSources& lab, const std::vector<std::stri
     if (!proof.killers.empty()) proof.fate = Fate::killed;
 }
 
-MutantProof prove(ProofBuild& build, const LabSources& lab, const Mutant& mutant, int every) {
-    MutantProof proof{lab.sheet.folder, mutant, Fate::survives, {}, 0, every};
+MutantProof prove(ProofBuild& build, const LabSources& lab, const Mutant& mutant,
+                  const MutantSample& sample) {
+    MutantProof proof{lab.sheet.folder, mutant, Fate::survives, {}, 0, sample};
     if (mutant.why_equivalent) {
         proof.fate = Fate::equivalent;
         return proof;
@@ -123,20 +124,20 @@ std::string table_of(const std::vector<MutantProof>& proofs, Fate fate, const st
 } // namespace
 
 std::vector<MutantProof> prove_mutants(ProofBuild& build, const LabSheet& sheet,
-                                       const std::string& only, int every) {
+                                       const MutantSample& sample) {
     const LabSources lab = read_lab_sources(sheet);
     std::vector<Mutant> mutants;
     int number = 0;
     for (Mutant& mutant : mutants_of(lab))
-        if ((mutant.file + " " + mutant.kind).find(only) != std::string::npos &&
-            number++ % every == 0)
+        if ((mutant.file + " " + mutant.kind).find(sample.only) != std::string::npos &&
+            number++ % sample.every == 0)
             mutants.push_back(std::move(mutant));
     fmt::print("lab {}: {} of {} mutants\n", sheet.number, mutants.size(), number);
     std::vector<MutantProof> proofs;
     Progress progress("planting in lab " + sheet.number, static_cast<int>(mutants.size()),
                       "mutants", 1);
     for (const Mutant& mutant : mutants) {
-        proofs.push_back(prove(build, lab, mutant, every));
+        proofs.push_back(prove(build, lab, mutant, sample));
         progress.clear();
         fmt::print("{}  {} ({:.1f} s)\n    {}\n", mutant.task, name(proofs.back()),
                    proofs.back().seconds, change(proofs.back()));
@@ -147,7 +148,9 @@ std::vector<MutantProof> prove_mutants(ProofBuild& build, const LabSheet& sheet,
 }
 
 std::string to_markdown(const std::vector<MutantProof>& proofs) {
-    const int every = proofs.empty() ? 1 : proofs.front().every;
+    const MutantSample sample = proofs.empty() ? MutantSample{} : proofs.front().sample;
+    const std::string options = (sample.only.empty() ? "" : " --only " + sample.only) +
+                                (sample.every == 1 ? "" : fmt::format(" --every {}", sample.every));
     const std::string head =
         "| planted | do not compile | equivalent | killed | survive | killed, of "
         "those that could be |\n|---|--:|--:|--:|--:|--:|--:|\n";
@@ -162,15 +165,18 @@ std::string to_markdown(const std::vector<MutantProof>& proofs) {
         "`labs/NN_name/equivalent.json` says why it does the same as the solution. Tests run with "
         "the CUDA\n"
         "threads in two orders, without the watch.\n\n"
-        "| lab {}{}| **all** {}\n"
+        "| lab {}{}{}"
         "\n## By kind\n\n| slip {}{}\n## Survivors\n\n{}\n## Equivalent\n\n{}",
-        every == 1 ? "" : fmt::format(" --every {}", every),
-        every == 1 ? "All mutants were planted."
-                   : fmt::format("This is a sample: one mutant in {}, in the order of files and "
-                                 "lines.",
-                                 every),
+        options,
+        options.empty()
+            ? "All mutants were planted."
+            : fmt::format("This is a sample: {}{}.",
+                          sample.every == 1 ? "all" : fmt::format("one in {}", sample.every),
+                          sample.only.empty()
+                              ? ", in the order of files and lines"
+                              : fmt::format(" with \"{}\" in file or kind", sample.only)),
         head, rows(proofs, labs_of(proofs), [](const MutantProof& p) { return p.lab; }),
-        sums_of(proofs).row("").substr(4), head,
+        sums_of(proofs).row("**all**"), head,
         rows(proofs, mutation_kinds(), [](const MutantProof& p) { return p.mutant.kind; }),
         table_of(proofs, Fate::survives, ""), table_of(proofs, Fate::equivalent, "why"));
 }

@@ -9,19 +9,24 @@ namespace raylab::app {
 
 enum class Fate { killed, survives, equivalent, does_not_compile };
 
+// One in `every` of those with `only` in their file or kind.
+struct MutantSample {
+    std::string only;
+    int every = 1;
+};
+
 struct MutantProof {
     std::string lab; // its folder
     Mutant mutant;
     Fate fate = Fate::survives;
     std::vector<std::string> killers; // tasks that are WRONG
     double seconds = 0;
-    int every = 1; // it is one of a sample, of one mutant in so many
+    MutantSample sample; // that it is one of
 };
 
-// One in `every` mutants of a lab, of those with `only` in their file or kind; prints a line each.
-// Throws CourseError.
+// A sample of a lab's mutants; prints a line each. Throws CourseError.
 std::vector<MutantProof> prove_mutants(ProofBuild& build, const LabSheet& sheet,
-                                       const std::string& only, int every);
+                                       const MutantSample& sample);
 
 std::string to_markdown(const std::vector<MutantProof>& proofs);
 
