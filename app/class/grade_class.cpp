@@ -44,8 +44,13 @@ void grade(Journal& journal, Set set, const ClassOptions& options, const LabShee
            const std::string& grader) {
     const int waiting = journal.waiting(set);
     if (waiting == 0) return;
+    const std::string program = options.grader.empty() ? grader : options.grader;
+    if (!fs::exists(program))
+        throw std::runtime_error(fmt::format("{} submissions wait, and '{}' is not there: name the "
+                                             "program that grades with --grader",
+                                             waiting, program));
     ClassGrader how;
-    how.program = {options.grader.empty() ? grader : options.grader, "grade"};
+    how.program = {fs::absolute(program).string(), "grade"};
     how.lab = sheet.folder;
     how.folder = fs::absolute(options.folder);
     how.jobs = options.jobs;

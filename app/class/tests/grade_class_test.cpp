@@ -97,6 +97,28 @@ TEST(GradeClass, ARegradeIsLookedAtBeforeItCounts) {
     EXPECT_EQ(all.run("--stage --apply").code, 2);
 }
 
+TEST(GradeClass, TroubleInAStageTakesNoMark) {
+    ClassInFolder all;
+    all.student("ada", "crash");
+    EXPECT_EQ(all.run_all("", "FAKE_BETTER=1 ").code, 0);
+    EXPECT_THAT(all.run("--stage").text, HasSubstr("0 differ, 0 are the same, 1 keep their marks"));
+    EXPECT_EQ(all.run("--apply").code, 0);
+    EXPECT_EQ(all.verdicts().at("ada"), "100 PASS");
+    EXPECT_THAT(all.run("--differences").text, HasSubstr("0 differ, 0 are the same\n")); // no stage
+}
+
+TEST(GradeClass, AMissingGraderIsSaidOnce) {
+    ClassInFolder all;
+    all.student("ada", "right");
+    const app::Outcome outcome = app::run_in_shell(
+        fmt::format("{} grade-class 02 '{}' -o '{}' --grader /no/such/grader", RAYLAB_CLASS_PROGRAM,
+                    (all / "subs").string(), (all / "out").string()));
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.text, HasSubstr("1 submissions wait, and '/no/such/grader' is not there"));
+    EXPECT_EQ(all.run("").code, 0); // it still waits
+    EXPECT_EQ(all.verdicts().at("ada"), "100 PASS");
+}
+
 TEST(GradeClass, AStageThatIsNotDoneIsNotApplied) {
     ClassInFolder all;
     all.student("ada", "half");
