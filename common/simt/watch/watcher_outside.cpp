@@ -21,7 +21,14 @@ bool is_managed(uintptr_t address) {
 
 } // namespace
 
-void Watcher::add_stack(const void* bottom, size_t bytes) { stacks_[uintptr_t(bottom)] = bytes; }
+// Where stacks of blocks before were, which have given them back, others may lie now.
+void Watcher::add_stack(const void* bottom, size_t bytes) {
+    const uintptr_t begin = uintptr_t(bottom);
+    auto old = stacks_.lower_bound(begin);
+    if (old != stacks_.begin() && std::prev(old)->first + std::prev(old)->second > begin) --old;
+    while (old != stacks_.end() && old->first < begin + bytes) old = stacks_.erase(old);
+    stacks_[begin] = bytes;
+}
 
 // Empty if the address lies in none.
 Span Watcher::stack_of(uintptr_t address) const {
