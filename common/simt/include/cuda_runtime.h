@@ -21,6 +21,7 @@
 #include "common/simt/api/kernels.h"
 #include "common/simt/api/managed.h"
 #include "common/simt/api/memory_access.h"
+#include "common/simt/api/memory_pool.h"
 #include "common/simt/api/pitched.h"
 #include "common/simt/api/streams.h"
 #include "common/simt/api/texture_reference.h"

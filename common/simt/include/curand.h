@@ -1,6 +1,8 @@
-// cuRAND's host API has no place on the CPU machine; the device API is in curand_kernel.h.
+// cuRAND's host API.
 #pragma once
 
 #include "cuda_runtime.h"
 
-enum curandStatus_t { CURAND_STATUS_SUCCESS = 0, CURAND_STATUS_NOT_INITIALIZED = 101 };
+#include "common/simt/random/host_api.h"
+
+#define CURAND_H_ // helper_cuda.h offers its functions by this

@@ -4,6 +4,7 @@
 
 #include "common/simt/api/arithmetic.h"
 #include "common/simt/random/philox.h"
+#include "common/simt/random/sobol.h"
 #include "common/simt/random/xorwow.h"
 
 namespace raylab::simt {

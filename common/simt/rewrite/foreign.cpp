@@ -32,7 +32,12 @@ std::string refused_header(std::string_view header, bool has_thrust) {
         if (begins_with(header, start))
             return std::string(name) + " (" + std::string(header) +
                    ") is not on the CPU machine: run this program on a GPU";
-    if (!has_thrust && (begins_with(header, "thrust/") || begins_with(header, "cub/")))
+    if (begins_with(header, "cub/device/") || begins_with(header, "cub/util") ||
+        begins_with(header, "cub/iterator/"))
+        return "CUB (" + std::string(header) +
+               ") is on the CPU machine only as far as blocks and warps go: run this program on a "
+               "GPU";
+    if (!has_thrust && begins_with(header, "thrust/"))
         return std::string(header) + " is not installed: Debian and Ubuntu have it in the package "
                                      "libthrust-dev";
     return {};

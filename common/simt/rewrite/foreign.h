@@ -8,7 +8,7 @@
 namespace raylab::simt {
 
 // Why the CPU machine does not have what this header declares ("cublas_v2.h"), or nothing.
-// `has_thrust`: thrust and CUB are installed.
+// `has_thrust`: thrust is installed.
 std::string refused_header(std::string_view header, bool has_thrust);
 
 // Whether the text of an asm statement is PTX, and not an instruction of the host's processor.

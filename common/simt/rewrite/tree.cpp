@@ -61,7 +61,7 @@ class Tree {
         for (const fs::path& candidate : candidates)
             if (fs::is_regular_file(candidate))
                 return {"\"" + add(candidate.lexically_normal(), false).string() + "\"", ""};
-        uses_thrust_ |= name.starts_with("thrust/") || name.starts_with("cub/");
+        uses_thrust_ |= name.starts_with("thrust/");
         return {"", refused_header(name, has_thrust_)};
     }
 

@@ -231,6 +231,10 @@ TEST(RewriteTree, CopiesIncludeCopiesAndNameTheOriginals) {
                   .find("#ifndef THRUST_DEVICE_SYSTEM\n#define THRUST_DEVICE_SYSTEM "
                         "THRUST_DEVICE_SYSTEM_CPP\n#endif\n#include <cuda_runtime.h>\n"),
               0u);
+    write("program/main.h", "#include <cub/cub.cuh>\n#include <cub/block/block_reduce.cuh>\n");
+    EXPECT_NO_THROW(rewrite_tree(source, out, {}));
+    write("program/main.h", "#include <cub/device/device_scan.cuh>\n");
+    EXPECT_THROW(rewrite_tree(source, out, {}), RewriteError) << "there are no algorithms of CUB's";
     EXPECT_THROW(rewrite_tree(home / "none.cu", out, {}), std::runtime_error);
     fs::remove_all(home);
 }

@@ -35,6 +35,29 @@ struct Quiet {
     }
 };
 
+TEST(ForeignMemory, PoolsKeepTheirThreshold) {
+    cudaMemPool_t own, of_device;
+    cudaMemPoolProps props = {};
+    props.allocType = cudaMemAllocationTypePinned;
+    ASSERT_EQ(cudaMemPoolCreate(&own, &props), cudaSuccess);
+    ASSERT_EQ(cudaDeviceGetDefaultMemPool(&of_device, 0), cudaSuccess);
+    uint64_t wanted = 12345, kept = 0, of_other = 1;
+    EXPECT_EQ(cudaMemPoolSetAttribute(own, cudaMemPoolAttrReleaseThreshold, &wanted), cudaSuccess);
+    EXPECT_EQ(cudaMemPoolGetAttribute(own, cudaMemPoolAttrReleaseThreshold, &kept), cudaSuccess);
+    EXPECT_EQ(kept, wanted);
+    EXPECT_EQ(cudaMemPoolGetAttribute(of_device, cudaMemPoolAttrReleaseThreshold, &of_other),
+              cudaSuccess);
+    EXPECT_EQ(of_other, 0u);
+    int *memory, host = 0;
+    ASSERT_EQ(cudaMallocFromPoolAsync(&memory, sizeof(int), own, nullptr), cudaSuccess);
+    cudaMemset(memory, 0, sizeof(int));
+    increment<<<1, 1>>>(memory, 1);
+    cudaMemcpy(&host, memory, sizeof(int), cudaMemcpyDeviceToHost);
+    EXPECT_EQ(host, 1);
+    EXPECT_EQ(cudaFreeAsync(memory, nullptr), cudaSuccess);
+    EXPECT_EQ(cudaMemPoolDestroy(own), cudaSuccess);
+}
+
 } // namespace
 
 TEST(ForeignMemory, ManagedMemoryIsForHostAndKernels) {
