@@ -10,7 +10,7 @@ namespace raylab::simt {
 namespace {
 
 constexpr size_t apart = size_t(64) << 10; // bytes, a multiple of the page's size
-constexpr size_t most = 8'000;           // at a time; Linux lets a process have 65,530 mappings
+constexpr size_t most = 8'000;             // at a time; Linux lets a process have 65,530 mappings
 
 struct Mapping {
     void* base;
