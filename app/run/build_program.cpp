@@ -157,7 +157,8 @@ BuiltProgram build_program(const Tree& tree, const Machine& machine,
     }
     if (all_compile && builder.link(program)) built.file = program;
     built.words = builder.words;
-    if (built.file.empty()) built.findings = compiler_errors(builder.words, sources);
+    if (built.file.empty())
+        built.findings = compiler_errors(builder.words, sources, folder.string());
     return built;
 }
 

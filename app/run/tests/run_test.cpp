@@ -141,10 +141,30 @@ TEST(CompilerErrors, InAHeaderAreToldAtTheLineThatLedThere) {
                                           "a.cu:9:3:   required from here\n"
                                           "h.h:70:1: error: static assertion failed\n"
                                           "a.cu:12: error: no\n",
-                                          {"a.cu"});
+                                          {"a.cu"}, "/tmp/x");
     ASSERT_EQ(findings.size(), 2u);
     EXPECT_EQ(findings[0].place, (simt::SourcePlace{"a.cu", 9, 3}));
     EXPECT_EQ(findings[1].place, (simt::SourcePlace{"a.cu", 12, 0}));
+}
+
+TEST(CompilerErrors, OfTheLinkerAreToldAtTheirLines) {
+    const auto findings = compiler_errors(
+        "/usr/bin/ld: /tmp/x/1_b.o: in function `twice(int)':\n"
+        "/tmp/x/1/b.cu.cpp:3: multiple definition of `twice(int)'; "
+        "/tmp/x/0_a.o:/tmp/x/common.cuh:3: first defined here\n"
+        "/usr/bin/ld: /tmp/x/1_b.o:/tmp/x/common.cuh:2: multiple definition of `limit'; "
+        "/tmp/x/0_a.o:/tmp/x/common.cuh:2: first defined here\n"
+        "/usr/bin/ld: /tmp/x/0_a.o: in function `main':\n"
+        "/tmp/x/a.cu:9: undefined reference to `missing(int)'\n"
+        "/usr/bin/ld: 0_a.o:(.text+0x5): undefined reference to `other'\n",
+        {"a.cu", "b.cu"}, "/tmp/x");
+    ASSERT_EQ(findings.size(), 4u);
+    EXPECT_EQ(findings[0].place, (simt::SourcePlace{"common.cuh", 3, 0}));
+    EXPECT_THAT(findings[0].message, HasSubstr("twice(int) is defined here"));
+    EXPECT_EQ(findings[1].place, (simt::SourcePlace{"common.cuh", 2, 0}));
+    EXPECT_EQ(findings[2].place, (simt::SourcePlace{"a.cu", 9, 0}));
+    EXPECT_THAT(findings[2].message, HasSubstr("missing(int)"));
+    EXPECT_EQ(findings[3].place, (simt::SourcePlace{"a.cu", 0, 0}));
 }
 
 TEST(HostCode, IsTheProgramsOwnAlone) {
