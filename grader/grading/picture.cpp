@@ -24,6 +24,7 @@ constexpr double draw_limit_seconds = 60; // pictures of 96 x 96 take a second
 constexpr std::uint64_t image_bytes = 1 << 20, ledger_bytes = 1 << 20;
 constexpr int paired_renders = 2; // with the solution's random numbers
 
+constexpr double most_shared_noise = 3; // 1 without a blur, 9 with one over 3 x 3 pixels
 constexpr int reference_replicates = 32, reference_spp = 64;
 
 std::vector<std::string> command_of(const fs::path& program, const std::string& lab,
@@ -121,6 +122,13 @@ void judge_independently(PictureResult& result, const Draw& submission, const Dr
     result.image = judged.mean;
     result.reference = reference;
     result.sentence = judged.verdict.sentence;
+    // A blur keeps the mean of a tile. But no lab mixes pixels, so their noise is independent.
+    if (judged.verdict.passed && judged.honesty.tile_ratio > most_shared_noise)
+        fail(result, MarkVerdict::suspicious,
+             fmt::format(
+                 "Neighbouring pixels share their noise: the means of tiles vary {:.1f} times as "
+                 "much as those of independent pixels. The picture was blurred or denoised.",
+                 judged.honesty.tile_ratio));
     if (judged.verdict.passed) return;
     if (!judged.soundness.verdict.passed)
         fail(result,
