@@ -147,8 +147,8 @@ Drawn SubmittedDrawing::operator()(std::uint32_t seed, int spp) const {
     run.readable = {program, scene};
     for (const fs::path& folder : assets) run.readable.emplace_back(folder);
     run.writable = {out.path()};
-    run.limits = {.wall_seconds = draw_limit_seconds,
-                  .cpu_seconds = 2 * draw_limit_seconds,
+    run.limits = {.wall_seconds = 3 * draw_limit_seconds,
+                  .cpu_seconds = draw_limit_seconds,
                   .memory = 2ull << 30,
                   .file_size = 4 << 20};
     const sandbox::Outcome outcome = sandbox::run(

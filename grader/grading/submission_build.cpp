@@ -71,7 +71,7 @@ SubmissionBuild::~SubmissionBuild() {
 }
 
 sandbox::Limits SubmissionBuild::limits() {
-    return {.wall_seconds = 300,
+    return {.wall_seconds = 1800, // nothing of a submission runs: only a busy machine takes so long
             .cpu_seconds = 120,
             .memory = 3ull << 30,
             .file_size = 256ull << 20,
