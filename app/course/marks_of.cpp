@@ -71,7 +71,7 @@ Marks marks_of(const CheckReport& report, const std::vector<std::string>& ids) {
             if (result.task.id == mark.id) judge(mark, result);
         if (marks.compiler.empty()) continue;
         mark.verdict = MarkVerdict::compile_error;
-        mark.reasons = {"the lab does not compile:\n" + marks.compiler};
+        mark.reasons = {"the lab does not compile: " + first_error(marks.compiler), marks.compiler};
         set_place(mark, marks.compiler);
     }
     return marks;

@@ -17,7 +17,7 @@ std::string on_one_line(const std::string& text) {
 
 // Of the verdict that the whole is called by.
 std::string first_reason(const Marks& marks) {
-    if (!marks.compiler.empty()) return marks.compiler.substr(0, marks.compiler.find('\n'));
+    if (!marks.compiler.empty()) return first_error(marks.compiler);
     for (const Mark& mark : marks.tasks)
         if (mark.verdict == overall(marks) && mark.verdict != MarkVerdict::pass &&
             !mark.reasons.empty())

@@ -94,7 +94,8 @@ void mark_unbuilt(Marks& marks, const sandbox::Outcome& outcome, const std::stri
     marks.log = outcome.output;
     if (outcome.end == sandbox::End::exited) {
         mark_all(marks, MarkVerdict::compile_error,
-                 "the lab does not compile:\n" + compiler_errors);
+                 "the lab does not compile: " + first_error(compiler_errors));
+        for (Mark& mark : marks.tasks) mark.reasons.push_back(compiler_errors);
         set_place(marks, compiler_errors, ":[0-9]+: (fatal )?error");
         return;
     }

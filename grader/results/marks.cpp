@@ -1,5 +1,8 @@
 #include "grader/results/marks.h"
+
 #include "grader/results/text.h"
+
+#include <sstream>
 
 namespace raylab {
 
@@ -64,6 +67,13 @@ std::string explanation(const Mark& mark) {
     if (mark.verdict != MarkVerdict::pass && !mark.read_on.empty())
         text += "read on in the handout: " + mark.read_on + "\n";
     return text;
+}
+
+std::string first_error(const std::string& compiler) {
+    std::istringstream lines(compiler);
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("error: ") != line.npos) return line;
+    return compiler.substr(0, compiler.find('\n'));
 }
 
 MarkVerdict overall(const Marks& marks) {

@@ -83,6 +83,10 @@ struct Marks {
 // The reasons and where to read on, as lines of plain text.
 std::string explanation(const Mark& mark);
 
+// The first error among the words of a compiler, one line: "labs/02_iterative/path.h:41:7: error:
+// ..."; the first line, if none says that it is an error.
+std::string first_error(const std::string& compiler);
+
 // How a whole submission is called: INTERNAL if the grader had trouble, PASS if all tasks pass,
 // else the gravest verdict of a task.
 MarkVerdict overall(const Marks& marks);

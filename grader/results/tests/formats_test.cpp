@@ -179,5 +179,14 @@ TEST(Formats, StayFilesWhateverASubmissionSays) {
     EXPECT_THROW(write_marks("moodle", {}), std::invalid_argument);
 }
 
+TEST(Marks, TheFirstErrorOfACompilerIsOneLine) {
+    EXPECT_EQ(
+        first_error("In file included from labs/02/a.cu:8:\nlabs/02/a.h:3:9: warning: unused\n"
+                    "labs/02/a.h:3:1: error: expected ';'\n    3 | int x = ;\n"),
+        "labs/02/a.h:3:1: error: expected ';'");
+    EXPECT_EQ(first_error("killed\nby something"), "killed");
+    EXPECT_EQ(first_error(""), "");
+}
+
 } // namespace
 } // namespace raylab
