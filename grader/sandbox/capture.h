@@ -21,7 +21,7 @@ class Capture {
     }
     std::uint64_t total() const { return total_; }
     std::string text() const {
-        if (tail_.size() <= kept_) return head_ + tail_;
+        if (total_ <= 2 * kept_) return head_ + tail_;
         return head_ + "\n[... cut here ...]\n" + tail_.substr(tail_.size() - kept_);
     }
 
