@@ -19,6 +19,7 @@ struct GraderTree {
 using Run = std::function<ExitCode()>;
 
 Run add_grade(CLI::App& app, const GraderTree& tree);
+Run add_autograder(CLI::App& app, const GraderTree& tree);
 Run add_doctor(CLI::App& app, const GraderTree& tree);
 
 } // namespace raylab::app

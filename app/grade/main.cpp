@@ -1,4 +1,4 @@
-// raylab-grade: the program behind `raylab grade` and `raylab doctor`.
+// raylab-grade: the program behind `raylab grade`, `raylab autograder` and `raylab doctor`.
 #include "app/grade/commands.h"
 #include "common/cli/files.h"
 #include "common/cli/interrupt.h"
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         runs[sub] = command(*sub, tree);
     };
     add("grade", app::add_grade);
+    add("autograder", app::add_autograder);
     add("doctor", app::add_doctor);
     try {
         cli.parse(argc, argv);

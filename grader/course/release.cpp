@@ -44,7 +44,8 @@ const std::map<fs::path, std::vector<std::string>> for_solutions = {
       "variation"}}};
 
 // What only instructors need.
-const std::vector<fs::path> for_instructors = {"app/class", "grader/class", "grader/grading",
+const std::vector<fs::path> for_instructors = {"app/class",      "app/grade/autograder",
+                                               "grader/class",   "grader/grading",
                                                "grader/sandbox", "grader/submissions"};
 
 // The project's own tests contain answers, and generated files are not sources.

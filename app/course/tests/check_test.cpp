@@ -78,7 +78,7 @@ TEST(Help, OfTheScriptHasALineForEveryCommand) {
     for (const std::string command :
          {"demo",   "test",  "check",      "render",     "compare", "reference", "scenes",
           "export", "bench", "bench-rays", "rare-cases", "prove",   "release",   "grade-class",
-          "run",    "debug", "import",     "update",     "site",    "vendor"})
+          "run",    "debug", "import",     "update",     "site",    "vendor",    "autograder"})
         EXPECT_NE(help.text.find("\n  " + command + " "), std::string::npos) << command;
     EXPECT_EQ(run_in_shell("./raylab").code, 2);
 }
