@@ -10,10 +10,12 @@ namespace {
 
 ReportEntry entry_of(const grading::JudgedPicture& judged, const Marks& marks) {
     ReportEntry entry;
-    entry.scene = judged.picture.scene + (judged.hidden ? " (hidden)" : "");
-    entry.title = fmt::format("tasks {}", fmt::join(judged.picture.tasks, ", "));
-    if (!judged.picture.options.empty())
-        entry.reason = fmt::format("drawn with {}", fmt::join(judged.picture.options, " "));
+    // The page tells its entries apart by scene and lab, so that each picture needs a name.
+    entry.scene = judged.picture.scene + (judged.picture.roulette ? "" : " without roulette");
+    for (const std::string& option : judged.picture.options) entry.scene += " " + option;
+    if (judged.hidden) entry.scene += " (made for this submission)";
+    entry.title = entry.scene;
+    entry.reason = fmt::format("For tasks {}.", fmt::join(judged.picture.tasks, ", "));
     entry.lab = marks.lab;
     if (!judged.drawn) {
         entry.decided = false;

@@ -15,7 +15,12 @@ double median(std::vector<int> values) {
     return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-using Causes = std::map<std::string, int>;
+// A cause as one submission has it, and how many have it but for its figures.
+struct Cause {
+    std::string example;
+    int named = 0;
+};
+using Causes = std::map<std::string, Cause>; // by without_figures()
 
 void count(TaskFigures& figures, Causes& causes, const Mark& mark) {
     if (mark.verdict == MarkVerdict::internal) return;
@@ -23,13 +28,16 @@ void count(TaskFigures& figures, Causes& causes, const Mark& mark) {
     figures.passed += mark.verdict == MarkVerdict::pass;
     ++figures.verdicts[mark.verdict];
     if (mark.verdict != MarkVerdict::pass && mark.verdict != MarkVerdict::not_implemented &&
-        !mark.reasons.empty())
-        ++causes[cause_in(mark.reasons.front())];
+        !mark.reasons.empty()) {
+        const std::string cause = cause_in(mark.reasons.front());
+        Cause& known = causes[without_figures(cause)];
+        if (++known.named == 1) known.example = cause;
+    }
 }
 
 void set_cause(TaskFigures& figures, const Causes& causes) {
-    for (const auto& [cause, named] : causes)
-        if (named > figures.named) figures.cause = cause, figures.named = named;
+    for (const auto& [folded, cause] : causes)
+        if (cause.named > figures.named) figures.cause = cause.example, figures.named = cause.named;
 }
 
 } // namespace

@@ -59,22 +59,24 @@ int points_of(const LabSheet& sheet) {
 std::string cause_in(const std::string& reason) {
     static const std::string named = "the likely cause: ";
     const std::size_t at = reason.find(named);
-    const std::string text =
-        on_one_line(at == reason.npos ? reason : reason.substr(at + named.size()));
-    std::string cause;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    return on_one_line(at == reason.npos ? reason : reason.substr(at + named.size()));
+}
+
+std::string without_figures(const std::string& cause) {
+    std::string folded;
+    for (std::size_t i = 0; i < cause.size(); ++i) {
         const auto is_digit = [&](std::size_t k) {
-            return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k]));
+            return k < cause.size() && std::isdigit(static_cast<unsigned char>(cause[k]));
         };
         if (!is_digit(i)) {
-            cause += text[i];
+            folded += cause[i];
             continue;
         }
-        cause += '#';
-        while (is_digit(i + 1) || (i + 1 < text.size() && text[i + 1] == '.' && is_digit(i + 2)))
+        folded += '#';
+        while (is_digit(i + 1) || (i + 1 < cause.size() && cause[i + 1] == '.' && is_digit(i + 2)))
             ++i;
     }
-    return cause;
+    return folded;
 }
 
 } // namespace raylab

@@ -19,8 +19,10 @@ const Mark* mark_of(const JournalRow& row, const std::string& task);
 
 int points_of(const LabSheet& sheet); // the most that there are
 
-// The likely cause that a reason names, or the whole reason; figures become '#', so that the same
-// cause reads alike whatever was measured.
+// The likely cause that a reason names, or the whole reason.
 std::string cause_in(const std::string& reason);
+
+// The cause with '#' in place of its figures: the same cause reads alike whatever was measured.
+std::string without_figures(const std::string& cause);
 
 } // namespace raylab
