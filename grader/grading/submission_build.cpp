@@ -56,6 +56,8 @@ SubmissionBuild::SubmissionBuild(const BaseBuild& base, const fs::path& folder,
         copy_tree(work_.path() / "build", base_.build());
         copy_tree(lab, base_.lab());
         sandbox::give_to_sandbox(base_.build(), isolation_);
+        fs::create_directory(temporary());
+        sandbox::give_to_sandbox(temporary(), isolation_);
     } else {
         sandbox::give_to_sandbox(work_.path() / "build", isolation_);
     }
@@ -90,13 +92,16 @@ const sandbox::Outcome& SubmissionBuild::build() {
         options.readable.emplace_back(sheet().path(), base_.lab());
         options.writable = {{work_.path() / "build", base_.build()}};
     } else {
-        options.writable = {base_.build()};
+        options.writable = {base_.build(), temporary()};
+        options.environment["TMPDIR"] = temporary(); // the compiler's; /tmp is not the sandbox's
     }
     outcome_ = sandbox::run(
         {"/usr/bin/ninja", "-C", base_.build(), "-j2", base_.sheet.test_target, "raylab-draw"},
         options, isolation_);
     return outcome_;
 }
+
+fs::path SubmissionBuild::temporary() const { return work_.path() / "tmp"; }
 
 std::string SubmissionBuild::compiler_errors() const {
     return raylab::compiler_errors(outcome_.output, base_.tree());

@@ -31,9 +31,11 @@ class SubmissionBuild {
     static sandbox::Limits limits();
 
   private:
+    std::filesystem::path temporary() const; // the compiler's, where the tier cannot map /tmp
+
     const BaseBuild& base_;
     const sandbox::Isolation& isolation_;
-    sandbox::WorkFolder work_; // root/labs/FOLDER, and build where the tier can map
+    sandbox::WorkFolder work_; // root/labs/FOLDER, build, tmp
     sandbox::Outcome outcome_;
 };
 
