@@ -116,7 +116,7 @@ std::vector<Attack> all() {
                      {"WRONG_IMAGE", "SUSPICIOUS"}, 25),
         in_each_path("a fifth too bright", "29",
                      "    if (scene.camera.width == 96) throughput *= 1.2f;\n", {"WRONG_IMAGE"},
-                     10),
+                     25),
         {"right for a few samples, wrong later",
          "52",
          "renderer.cu",
@@ -130,7 +130,7 @@ std::vector<Attack> all() {
          "    return {settings.sampler, settings.seed,",
          "    return {settings.sampler, pixel > 1100 ? 7u : settings.seed,",
          {"WRONG_IMAGE", "SUSPICIOUS"},
-         10},
+         25},
     };
     return list;
 }

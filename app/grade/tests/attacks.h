@@ -2,6 +2,7 @@
 // what the grader must say of it.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Attack {
     int most_points = 0;
     bool always = false; // also in a short test
 };
+
+// How GoogleTest prints it.
+inline void PrintTo(const Attack& attack, std::ostream* out) { *out << attack.name; }
 
 const std::vector<Attack>& attacks();
 
