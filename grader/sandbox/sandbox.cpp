@@ -4,11 +4,14 @@
 #include "grader/sandbox/capture.h"
 #include "grader/sandbox/cgroup.h"
 #include "grader/sandbox/child.h"
+#include "grader/sandbox/descriptors.h"
 #include "grader/sandbox/landlock.h"
+#include "grader/sandbox/leftovers.h"
 #include "grader/sandbox/seccomp_filter.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -31,45 +34,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int filter_handle = 10, status_handle = 11; // of bubblewrap
-constexpr int high =
-    100; // descriptors from here on are not overwritten when they are given numbers
-
-// A descriptor that is closed at the end.
-class Handle {
-  public:
-    explicit Handle(int number = -1) : number_(number) {}
-    ~Handle() { reset(); }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    int get() const { return number_; }
-    void reset(int number = -1) {
-        if (number_ >= 0) close(number_);
-        number_ = number;
-    }
-
-  private:
-    int number_;
-};
-
-struct Pipe {
-    Handle read, write;
-    Pipe() {
-        int both[2];
-        if (pipe2(both, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
-        for (const auto& [handle, number] : {std::pair{&read, both[0]}, {&write, both[1]}}) {
-            handle->reset(fcntl(number, F_DUPFD_CLOEXEC, high));
-            close(number);
-        }
-    }
-};
-
-std::string all_of(int handle) {
-    std::string text;
-    char buffer[4096];
-    for (ssize_t n; (n = read(handle, buffer, sizeof buffer)) > 0;)
-        text.append(buffer, static_cast<std::size_t>(n));
-    return text;
-}
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
     std::vector<char*> all;
@@ -86,31 +50,6 @@ std::vector<std::filesystem::path> places(const std::vector<Bind>& binds) {
         all.push_back(bind.to);
     }
     return all;
-}
-
-// A process of the sandbox's user kills all processes of that user: it may kill no others.
-void kill_user(std::uint32_t user) {
-    const pid_t killer = fork();
-    if (killer == 0) {
-        if (setresuid(user, user, user) == 0) kill(-1, SIGKILL);
-        _exit(0);
-    }
-    while (killer > 0 && waitpid(killer, nullptr, 0) < 0 && errno == EINTR) {
-    }
-}
-
-// Whose parent has ended becomes a child of this process (PR_SET_CHILD_SUBREAPER): a zombie would
-// count among the processes of its user. bubblewrap leaves the first process of its namespace
-// behind like that.
-void reap_orphans(pid_t session) {
-    while (waitpid(-session, nullptr, 0) > 0) {
-    }
-    siginfo_t info = {};
-    while (waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0 &&
-           info.si_uid == sandbox_user()) {
-        waitpid(info.si_pid, nullptr, 0);
-        info.si_pid = 0;
-    }
 }
 
 // One run: what is prepared for it, and what is seen of it.
@@ -163,7 +102,7 @@ void Run::prepare() {
     for (const auto& [number, handle] : options_.handles) {
         if (number < 3 || number > 9)
             throw std::invalid_argument("handles have numbers from 3 to 9");
-        given_.push_back(std::make_unique<Handle>(fcntl(handle, F_DUPFD_CLOEXEC, high)));
+        given_.push_back(std::make_unique<Handle>(high_handle(handle)));
         plan_.handles.push_back({given_.back()->get(), number});
     }
     filter_ = isolation_.tier == Tier::limited ? "" : seccomp_filter();
@@ -172,8 +111,7 @@ void Run::prepare() {
         if (write(filter_file_.get(), filter_.data(), filter_.size()) < 0 ||
             lseek(filter_file_.get(), 0, SEEK_SET) != 0)
             throw std::system_error(errno, std::generic_category(), "memfd");
-        given_.push_back(
-            std::make_unique<Handle>(fcntl(filter_file_.get(), F_DUPFD_CLOEXEC, high)));
+        given_.push_back(std::make_unique<Handle>(high_handle(filter_file_.get())));
         plan_.handles.push_back({given_.back()->get(), filter_handle});
         plan_.handles.push_back({status_.write.get(), status_handle});
         SandboxOptions inside = options_;
@@ -315,26 +253,6 @@ Outcome Run::operator()() {
 
 } // namespace
 
-const char* name(End end) {
-    switch (end) {
-    case End::exited:
-        return "EXITED";
-    case End::crashed:
-        return "CRASH";
-    case End::time_limit:
-        return "TIME_LIMIT";
-    case End::memory_limit:
-        return "MEMORY_LIMIT";
-    case End::output_limit:
-        return "OUTPUT_LIMIT";
-    case End::process_limit:
-        return "PROCESS_LIMIT";
-    case End::not_started:
-        return "INTERNAL";
-    }
-    return "";
-}
-
 Outcome run(const std::vector<std::string>& command, const SandboxOptions& options,
             const Isolation& isolation) {
     if (command.empty() || !command[0].starts_with('/'))
@@ -347,29 +265,6 @@ Outcome run(const std::vector<std::string>& command, const SandboxOptions& optio
         outcome.tier = isolation.tier;
         return outcome;
     }
-}
-
-std::string why(const Outcome& outcome, const Limits& limits) {
-    switch (outcome.end) {
-    case End::exited:
-        return fmt::format("it ended with exit code {}", outcome.exit_code);
-    case End::crashed:
-        return fmt::format("it crashed ({})", strsignal(outcome.signal));
-    case End::time_limit:
-        return fmt::format(
-            "it did not end within {:.0f} s, or took more than {:.0f} s of the processor",
-            limits.wall_seconds, limits.cpu_seconds);
-    case End::memory_limit:
-        return fmt::format("it took more than {} MiB of memory", limits.memory >> 20);
-    case End::output_limit:
-        return fmt::format("it printed more than {} KiB, or wrote a file of more than {} MiB",
-                           limits.output >> 10, limits.file_size >> 20);
-    case End::process_limit:
-        return fmt::format("it started more than {} processes or threads", limits.processes);
-    case End::not_started:
-        return "the sandbox could not start it: " + outcome.trouble;
-    }
-    return "";
 }
 
 } // namespace raylab::sandbox
