@@ -1,6 +1,6 @@
 // raylab-check: the program behind `raylab check`, `update`, `prove` and `release`.
 #include "app/course/commands.h"
-#include "common/cli/files.h"
+#include "app/program.h"
 #include "common/cli/interrupt.h"
 #include "common/cli/own_tree.h"
 
@@ -21,31 +21,13 @@ int main(int argc, char** argv) {
     add("update", app::add_update);
     add("prove", app::add_prove);
     add("release", app::add_release);
-    try {
-        cli.parse(argc, argv);
+    return app::run_program<CourseError>(cli, argc, argv, [&] {
         expect_own_tree(RAYLAB_PROGRAM_FILE, tree.root);
         if (const std::string overlay = RAYLAB_LAID_OVER; !overlay.empty())
             throw std::runtime_error(fmt::format("{} builds the labs in {} instead of this tree's: "
                                                  "nothing was done; call the script ./raylab, "
                                                  "which configures anew",
                                                  tree.build.string(), overlay));
-        return static_cast<int>(runs.at(cli.get_subcommands().front())());
-    } catch (const CLI::ParseError& error) {
-        const bool asked_for_help = error.get_exit_code() == 0;
-        cli.exit(error);
-        return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_usage);
-    } catch (const CourseError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::bad_usage);
-    } catch (const FileError& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(error.code);
-    } catch (const std::filesystem::filesystem_error& error) {
-        const FileError translated = file_error(error);
-        fmt::print(stderr, "raylab: {}\n", translated.what());
-        return static_cast<int>(translated.code);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "raylab: {}\n", error.what());
-        return static_cast<int>(ExitCode::tool_failed);
-    }
+        return runs.at(cli.get_subcommands().front())();
+    });
 }

@@ -1,5 +1,7 @@
 #include "app/course/marks_of.h"
 
+#include "grader/course/blank_marks.h"
+
 #include <fmt/format.h>
 
 #include <regex>
@@ -31,26 +33,6 @@ void set_place(Mark& mark, const std::string& text) {
     mark.line = std::stoi(found[2]);
 }
 
-Mark unjudged(const LabSheet& sheet, const Task& task) {
-    Mark mark;
-    mark.id = task.id;
-    mark.title = task.title;
-    mark.of_points = task.points;
-    if (!task.files.empty())
-        mark.file = fmt::format("labs/{}/{}", sheet.folder, task.files.front());
-    mark.read_on = task.hints;
-    return mark;
-}
-
-Marks unjudged(const LabSheet& sheet, const std::vector<std::string>& ids) {
-    Marks marks;
-    marks.lab = sheet.folder;
-    marks.title = sheet.title;
-    marks.grader = "raylab check";
-    for (const std::string& id : ids) marks.tasks.push_back(unjudged(sheet, *sheet.find(id)));
-    return marks;
-}
-
 void judge(Mark& mark, const TaskResult& result) {
     mark.verdict = verdict_of(result.verdict);
     mark.seconds = result.seconds;
@@ -63,7 +45,7 @@ void judge(Mark& mark, const TaskResult& result) {
 } // namespace
 
 Marks marks_of(const CheckReport& report, const std::vector<std::string>& ids) {
-    Marks marks = unjudged(report.sheet, ids);
+    Marks marks = blank_marks(report.sheet, ids, "raylab check");
     marks.seconds = report.build_seconds + report.test_seconds;
     marks.compiler = report.compiler_errors;
     for (Mark& mark : marks.tasks) {
@@ -79,7 +61,7 @@ Marks marks_of(const CheckReport& report, const std::vector<std::string>& ids) {
 
 Marks no_marks(const LabSheet& sheet, const std::vector<std::string>& ids,
                const std::string& trouble) {
-    Marks marks = unjudged(sheet, ids);
+    Marks marks = blank_marks(sheet, ids, "raylab check");
     marks.trouble = trouble;
     return marks;
 }

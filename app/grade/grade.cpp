@@ -3,6 +3,7 @@
 #include "app/grade/commands.h"
 #include "app/grade/grade_report.h"
 #include "common/cli/files.h"
+#include "grader/course/blank_marks.h"
 #include "grader/results/formats.h"
 #include "grader/results/mark_files.h"
 #include "grader/results/marks_json.h"
@@ -54,7 +55,7 @@ ExitCode run_grade(const GraderTree& tree, const Options& options) {
         throw SubmissionError(fmt::format("there is no submission '{}'", options.submission));
     prepare_output((fs::path(options.folder) / "marks.json").string());
     grading::Graded graded;
-    graded.marks = grading::blank_marks(sheet);
+    graded.marks = blank_marks(sheet, sheet.task_ids(), "raylab grade");
     const auto in_trouble = [&](const std::string& trouble) {
         graded.marks.trouble = trouble;
         write_all(options, files, graded.marks);

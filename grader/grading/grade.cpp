@@ -1,4 +1,5 @@
 #include "grader/grading/grade.h"
+#include "grader/course/blank_marks.h"
 
 #include "common/cli/files.h"
 #include "common/load/load.h"
@@ -81,7 +82,7 @@ class Grading {
   public:
     Grading(const GradeOptions& options, const std::function<void(const Graded&)>& so_far)
         : options_(options), so_far_(so_far) {
-        graded_.marks = blank_marks(options.sheet);
+        graded_.marks = blank_marks(options.sheet, options.sheet.task_ids(), "raylab grade");
         graded_.marks.sandbox = options.isolation.sentence();
     }
     Graded operator()();

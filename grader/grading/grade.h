@@ -37,7 +37,4 @@ struct Graded {
 // trouble.
 Graded grade(const GradeOptions& options, const std::function<void(const Graded&)>& so_far);
 
-// What all marks of a lab begin as: no task has run.
-Marks blank_marks(const LabSheet& sheet);
-
 } // namespace raylab::grading

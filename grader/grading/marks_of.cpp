@@ -63,24 +63,6 @@ std::string sentence_of(const JudgedPicture& judged) {
 
 } // namespace
 
-Marks blank_marks(const LabSheet& sheet) {
-    Marks marks;
-    marks.lab = sheet.folder;
-    marks.title = sheet.title;
-    marks.grader = "raylab grade";
-    for (const Task& task : sheet.tasks) {
-        Mark mark;
-        mark.id = task.id;
-        mark.title = task.title;
-        mark.of_points = task.points;
-        if (!task.files.empty())
-            mark.file = fmt::format("labs/{}/{}", sheet.folder, task.files.front());
-        mark.read_on = task.hints;
-        marks.tasks.push_back(mark);
-    }
-    return marks;
-}
-
 void mark_all(Marks& marks, MarkVerdict verdict, const std::string& reason) {
     for (Mark& mark : marks.tasks) {
         mark.verdict = verdict;

@@ -2,6 +2,7 @@
 
 #include "common/cli/files.h"
 #include "common/cli/process.h"
+#include "grader/course/blank_marks.h"
 #include "grader/grading/grade.h"
 #include "grader/grading/secret.h"
 #include "grader/results/formats.h"
@@ -109,7 +110,7 @@ void pack_tree(const fs::path& root, const fs::path& archive) {
 
 // What the platform sees until the grader has written its first result.
 std::string nothing_yet(const Platform& platform, const LabSheet& sheet) {
-    Marks marks = grading::blank_marks(sheet);
+    Marks marks = blank_marks(sheet, sheet.task_ids(), "raylab grade");
     marks.trouble = "the grader came to no result; please tell your instructors";
     return write_marks(platform.format, marks);
 }
